@@ -84,4 +84,24 @@ Vec3<R> operator*(const SymTensor3<R>& a, const Vec3<R>& b) {
           a.xz * b.x + a.yz * b.y + a.zz * b.z};
 }
 
+/// e e for a unit (or any) vector e.
+template <class R>
+SymTensor3<R> square(const Vec3<R>& e) {
+  return {e.x * e.x, e.y * e.y, e.z * e.z, e.x * e.y, e.x * e.z, e.y * e.z};
+}
+
+template <class R>
+SymTensor3<R> identity3() {
+  return {R(1), R(1), R(1), R(0), R(0), R(0)};
+}
+
+/// Inverse of a regular tensor.
+template <class R>
+SymTensor3<R> inverse(const SymTensor3<R>& a) {
+  const SymTensor3<R> adjugate{a.yy * a.zz - a.yz * a.yz, a.xx * a.zz - a.xz * a.xz, a.xx * a.yy - a.xy * a.xy,
+                               a.xz * a.yz - a.xy * a.zz, a.xy * a.yz - a.xz * a.yy, a.xy * a.xz - a.xx * a.yz};
+  const R determinant = a.xx * adjugate.xx + a.xy * adjugate.xy + a.xz * adjugate.xz;
+  return (R(1) / determinant) * adjugate;
+}
+
 }  // namespace stresslet

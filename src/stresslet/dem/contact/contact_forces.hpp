@@ -1,0 +1,90 @@
+#pragma once
+/// Contact kernel: forces of all overlapping pairs and their tangential history.
+///
+/// Per contact: reads 11 doubles of the pair and 16 of its twists, reads and writes 3 of history, writes 6; about
+/// 150 flops. Contacts are few (one or two per particle), so the loop stays scalar.
+#include <string>
+#include <vector>
+
+#include "stresslet/dem/laws.hpp"
+#include "stresslet/exec/thread_team.hpp"
+#include "stresslet/particles/active_pairs.hpp"
+#include "stresslet/particles/twist.hpp"
+
+namespace stresslet {
+
+/// Which normal force enters the Coulomb limit: the spring's alone (Cundall & Strack 1979), or spring plus dashpot
+/// (Herrmann & Luding, Continuum Mech. Thermodyn. 10 (1998) 189). They agree without a dashpot.
+enum class CoulombLimit { spring, spring_and_dashpot };
+
+struct ContactParameters {
+  std::string normal_law = "hooke";
+  double stiffness = 0;          ///< Hooke: force/length; Hertz: pressure
+  double tangential_ratio = 2.0 / 7.0;  ///< kt/kn
+  double friction = 0;           ///< Coulomb coefficient; 0 switches the tangential spring off
+  double damping_ratio = 0;      ///< beta of the restitution coefficient; 0 = no dashpot
+  CoulombLimit coulomb_limit = CoulombLimit::spring;
+};
+
+/// -ln e / sqrt(pi^2 + ln^2 e).
+double damping_ratio(double restitution);
+
+/// Elongation of the tangential spring of every pair in the Verlet list (of j relative to i); zero when apart.
+struct ContactHistory {
+  std::vector<double> x, y, z;
+  void resize(std::size_t n) { x.assign(n, 0.0), y.assign(n, 0.0), z.assign(n, 0.0); }
+  Vec3<double> get(std::size_t k) const { return {x[k], y[k], z[k]}; }
+  void set(std::size_t k, const Vec3<double>& v) { x[k] = v.x, y[k] = v.y, z[k] = v.z; }
+};
+
+/// One sphere against another or against a wall, at one instant.
+struct ContactGeometry {
+  Vec3<double> normal;  ///< from 1 to 2
+  double overlap, reduced_radius, reduced_mass, arm1, arm2;
+};
+
+struct ContactResult {
+  Vec3<double> force;             ///< on 1
+  Vec3<double> tangential_force;  ///< part of `force`
+  Vec3<double> elongation;
+  double sliding_power = 0, dashpot_power = 0, elastic_energy = 0;
+};
+
+/// `u`: velocity of 2 relative to 1; `step`: time over which the tangential spring is advanced.
+template <class Normal>
+ContactResult contact_force(const ContactGeometry& g, const ContactParameters& p, const Vec3<double>& elongation,
+                            const Vec3<double>& u, const Vec3<double>& w1, const Vec3<double>& w2, double step);
+
+class ContactForces {
+ public:
+  /// Forces at the present positions; the springs are advanced by `step` with the velocities `twist`. Fills one entry
+  /// per active pair (zero when apart). Called by all threads; ends with a barrier.
+  void update(Member& member, const ContactParameters& parameters, const ActivePairs& pairs, const TwistVector& twist,
+              const ParticleState& state, double velocity_jump, double step, ContactHistory& history);
+
+  void prepare(std::size_t capacity);
+
+  /// Adds the contact force and torque on one particle.
+  void add_to(std::size_t particle, const ActivePairs& pairs, Twist<double>& wrench) const {
+    pairs.for_each_pair_of(particle, [&](std::size_t p, double sign) {
+      if (pairs.gap[p] >= 0) return;
+      const double a = sign > 0 ? pairs.radius_i[p] : pairs.radius_j[p];
+      const double arm = a * pairs.distance[p] / (pairs.radius_i[p] + pairs.radius_j[p]);
+      wrench.linear += sign * results_[p].force;
+      wrench.angular += arm * cross(pairs.normal(p), results_[p].tangential_force);
+    });
+  }
+
+  /// Valid for pairs with negative gap.
+  const ContactResult& operator[](std::size_t pair) const { return results_[pair]; }
+
+ private:
+  template <class Normal>
+  void update_range(Range range, const ContactParameters& parameters, const ActivePairs& pairs,
+                    const TwistVector& twist, const ParticleState& state, double velocity_jump, double step,
+                    ContactHistory& history);
+
+  std::vector<ContactResult> results_;
+};
+
+}  // namespace stresslet

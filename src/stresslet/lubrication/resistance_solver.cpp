@@ -1,0 +1,135 @@
+#include "stresslet/lubrication/resistance_solver.hpp"
+
+#include <cmath>
+
+namespace stresslet {
+
+void ResistanceSolver::prepare(const ParticleState& state) {
+  const std::size_t n = state.size();
+  own_linear_.assign(n, 0.0), own_angular_.assign(n, 0.0);
+  inverse_linear_.assign(n, {}), inverse_angular_.assign(n, {});
+  inverse_radius_squared_.resize(n);
+  for (std::size_t i = 0; i < n; ++i) inverse_radius_squared_[i] = 1 / (state.radius[i] * state.radius[i]);
+  direction_.resize(n), image_.resize(n), preconditioned_.resize(n);
+  direction_sum_.resize(n), residual_sum_.resize(n), force_sum_.resize(n), resistance_sum_.resize(n);
+}
+
+void ResistanceSolver::factorise(Member& member, const ActivePairs& pairs, PairLubrication& lubrication,
+                                 const WallFilms& walls) {
+  const Range range = member.share(own_linear_.size(), sum_chunk);
+  for (std::size_t i = range.begin; i < range.end; ++i) {
+    SymTensor3<double> linear = own_linear_[i] * identity3<double>();
+    SymTensor3<double> angular = own_angular_[i] * identity3<double>();
+    pairs.for_each_pair_of(i, [&](std::size_t p, double sign) {
+      const auto k = lubrication.resistance(p);
+      const double arm = lubrication.arm(p);
+      const auto along = square(pairs.normal(p));
+      const auto across = identity3<double>() - along;
+      linear += k.X * along + k.Y * across;
+      angular += (0.25 * (k.Y * arm * arm + k.C) - 0.5 * sign * k.B * arm) * across;
+    });
+    if (walls[i].normal_y != 0) {
+      const auto along = square(walls[i].normal());
+      const auto across = identity3<double>() - along;
+      linear += walls[i].k.X * along + walls[i].k.Y * across;
+      angular += walls[i].k.C * across;
+    }
+    inverse_linear_[i] = inverse(linear);
+    inverse_angular_[i] = inverse(angular);
+  }
+}
+
+void ResistanceSolver::precondition(std::size_t i, const TwistVector& residual) {
+  const Twist<double> r = residual.get(i);
+  preconditioned_.set(i, inverse_linear_[i] * r.linear, inverse_angular_[i] * r.angular);
+}
+
+ResistanceSolver::Products ResistanceSolver::products(const TwistVector& residual, std::size_t begin,
+                                                      std::size_t end) const {
+  Products sum;
+  for (std::size_t i = begin; i < end; ++i) {
+    const Twist<double> r = residual.get(i), z = preconditioned_.get(i);
+    sum.preconditioned += dot(r.linear, z.linear) + dot(r.angular, z.angular);
+    sum.plain += dot(r.linear, r.linear) + inverse_radius_squared_[i] * dot(r.angular, r.angular);
+  }
+  return sum;
+}
+
+double ResistanceSolver::apply_and_project(std::size_t begin, std::size_t end, const ActivePairs& pairs,
+                                           const PairLubrication& lubrication, const WallFilms& walls) {
+  double sum = 0;
+  for (std::size_t i = begin; i < end; ++i) {
+    const Twist<double> v = direction_.get(i);
+    Twist<double> wrench{};
+    lubrication.add_to(i, pairs, wrench);
+    walls.add_to<false>(i, v, wrench);
+    const Twist<double> image{own_linear_[i] * v.linear - wrench.linear, own_angular_[i] * v.angular - wrench.angular};
+    image_.set(i, image);
+    sum += dot(v.linear, image.linear) + dot(v.angular, image.angular);
+  }
+  return sum;
+}
+
+SolverReport ResistanceSolver::solve(Member& member, const ActivePairs& pairs, PairLubrication& lubrication,
+                                     const WallFilms& walls, double tolerance, int largest_iteration,
+                                     TwistVector& velocity, TwistVector& residual) {
+  const std::size_t n = own_linear_.size();
+  const Range mine = member.share(n, sum_chunk);
+  const auto residual_products = [&] {
+    return residual_sum_(member, n, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) precondition(i, residual);
+      return products(residual, begin, end);
+    });
+  };
+
+  SolverReport report;
+  Products now = residual_products();
+  double weight = 0;
+  while (std::sqrt(now.plain) > tolerance && report.iterations < largest_iteration) {
+    for (std::size_t k = twist_stride * mine.begin; k < twist_stride * mine.end; ++k)
+      direction_.data()[k] = preconditioned_.data()[k] + weight * direction_.data()[k];
+    member.barrier();
+    lubrication.apply<false>(member, pairs, direction_);
+    const double curvature = direction_sum_(member, n, [&](std::size_t begin, std::size_t end) {
+      return apply_and_project(begin, end, pairs, lubrication, walls);
+    });
+    const double length = now.preconditioned / curvature;
+    for (std::size_t k = twist_stride * mine.begin; k < twist_stride * mine.end; ++k) {
+      velocity.data()[k] += length * direction_.data()[k];
+      residual.data()[k] -= length * image_.data()[k];
+    }
+    const Products next = residual_products();
+    weight = next.preconditioned / now.preconditioned;
+    now = next;
+    ++report.iterations;
+  }
+  report.residual = std::sqrt(now.plain);
+  report.converged = report.residual <= tolerance;
+  if (!walls.present()) remove_mean_residual(member, velocity, residual);
+  member.barrier();
+  return report;
+}
+
+/// The best uniform shift of all velocities: it makes the total of the remaining forces zero, so that total momentum
+/// is conserved to round-off however early the iteration stops.
+void ResistanceSolver::remove_mean_residual(Member& member, TwistVector& velocity, const TwistVector& residual) {
+  const std::size_t n = own_linear_.size();
+  const Vec3<double> force = force_sum_(member, n, [&](std::size_t begin, std::size_t end) {
+    Vec3<double> sum{};
+    for (std::size_t i = begin; i < end; ++i) sum += residual.get(i).linear;
+    return sum;
+  });
+  const double resistance = resistance_sum_(member, n, [&](std::size_t begin, std::size_t end) {
+    double sum = 0;
+    for (std::size_t i = begin; i < end; ++i) sum += own_linear_[i];
+    return sum;
+  });
+  const Vec3<double> shift = force / resistance;
+  const Range mine = member.share(n, sum_chunk);
+  for (std::size_t i = mine.begin; i < mine.end; ++i) {
+    double* v = velocity[i];
+    v[0] += shift.x, v[1] += shift.y, v[2] += shift.z;
+  }
+}
+
+}  // namespace stresslet

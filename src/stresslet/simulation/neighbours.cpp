@@ -1,0 +1,88 @@
+#include "stresslet/simulation/neighbours.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+#include "stresslet/base/error.hpp"
+
+namespace stresslet {
+
+namespace {
+
+std::uint64_t pair_key(std::int32_t a, std::int32_t b) {
+  return (std::uint64_t(std::uint32_t(std::min(a, b))) << 32) | std::uint32_t(std::max(a, b));
+}
+
+/// Tangential springs by pair of permanent ids, seen from the smaller id.
+using SpringTable = std::unordered_map<std::uint64_t, Vec3<double>>;
+
+SpringTable stretched_springs(const Suspension& s) {
+  SpringTable table;
+  for (std::size_t k = 0; k < s.history.x.size(); ++k) {
+    const Vec3<double> zeta = s.history.get(k);
+    if (zeta == Vec3<double>{}) continue;
+    const std::int32_t a = s.state.id[std::size_t(s.list.i[k])], b = s.state.id[std::size_t(s.list.j[k])];
+    table[pair_key(a, b)] = a < b ? zeta : -zeta;
+  }
+  return table;
+}
+
+void restore_springs(Suspension& s, const SpringTable& table) {
+  s.history.resize(s.list.size());
+  if (table.empty()) return;
+  for (std::size_t k = 0; k < s.list.size(); ++k) {
+    const std::int32_t a = s.state.id[std::size_t(s.list.i[k])], b = s.state.id[std::size_t(s.list.j[k])];
+    if (const auto found = table.find(pair_key(a, b)); found != table.end())
+      s.history.set(k, a < b ? found->second : -found->second);
+  }
+}
+
+}  // namespace
+
+void check_box(const Suspension& s) {
+  const double a = *std::max_element(s.state.radius.begin(), s.state.radius.end());
+  const double needed = 2 * (2 * a + s.list.range()(a, a) + s.list.skin());
+  const auto& l = s.box.length;
+  const double shortest = std::min({l.x, l.z, s.box.periodic_in_y() ? l.y : l.x});
+  if (shortest < needed)
+    throw InputError({"", fmt::format("the box is {:.3g} long in its shortest periodic direction", shortest),
+                      fmt::format("a particle would meet two images of the same neighbour; at least {:.3g} is needed "
+                                  "for the largest sphere, the lubrication range and the list's skin",
+                                  needed),
+                      "raise suspension.count"});
+}
+
+double largest_displacement(const Suspension& s) {
+  double square = 0;
+  for (std::size_t i = 0; i < s.state.size(); ++i)
+    square = std::max(square, s.displacement_x[i] * s.displacement_x[i] + s.displacement_y[i] * s.displacement_y[i] +
+                                  s.displacement_z[i] * s.displacement_z[i]);
+  return std::sqrt(square);
+}
+
+void rebuild_neighbours(Suspension& s, ThreadTeam& team) {
+  const SpringTable springs = stretched_springs(s);
+  s.list.build(team, s.state, s.box);
+  restore_springs(s, springs);
+  const std::size_t n = s.state.size();
+  for (auto* d : {&s.displacement_x, &s.displacement_y, &s.displacement_z}) d->assign(n, 0.0);
+  s.strain_since_build = 0;
+  ++s.builds;
+  s.pairs.prepare(s.list, n);
+  s.contacts.prepare(s.list.size());
+  s.lubrication.prepare(s.list.size());
+}
+
+void prepare_work_arrays(Suspension& s) {
+  const std::size_t n = s.state.size();
+  s.wall_contacts.prepare(n);
+  s.walls.prepare(n, s.box);
+  s.solver.prepare(s.state);
+  s.velocity.resize(n), s.residual.resize(n);
+  if (s.change.size() != n) s.change.resize(n);
+}
+
+}  // namespace stresslet

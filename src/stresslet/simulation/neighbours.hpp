@@ -1,0 +1,20 @@
+#pragma once
+/// Keeping the Verlet list, and everything stored per pair or per particle, in step with the particles.
+#include "stresslet/exec/thread_team.hpp"
+#include "stresslet/simulation/suspension.hpp"
+
+namespace stresslet {
+
+/// Throws InputError when the box is too small for nearest images to be unique.
+void check_box(const Suspension& s);
+
+/// Largest distance that a particle has moved against the mean flow since the list was built.
+double largest_displacement(const Suspension& s);
+
+/// Sorts the particles in space now and then, builds the list, and carries the contact history over.
+void rebuild_neighbours(Suspension& s, ThreadTeam& team);
+
+/// Sizes every work array for the present list; keeps histories and velocities.
+void prepare_work_arrays(Suspension& s);
+
+}  // namespace stresslet

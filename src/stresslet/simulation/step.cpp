@@ -1,0 +1,96 @@
+#include "stresslet/simulation/step.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "stresslet/base/error.hpp"
+#include "stresslet/exec/chunk_sum.hpp"
+#include "stresslet/lubrication/laws.hpp"
+#include "stresslet/simulation/neighbours.hpp"
+#include "stresslet/simulation/schemes/laws.hpp"
+
+namespace stresslet {
+
+namespace {
+
+void load_velocities(Member& member, Suspension& s) {
+  const Range mine = member.share(s.state.size());
+  for (std::size_t i = mine.begin; i < mine.end; ++i)
+    s.velocity.set(i, s.state.velocity(i), s.state.angular_velocity(i));
+  member.barrier();
+}
+
+void drift(Member& member, Suspension& s) {
+  const double dt = s.time.step;
+  Box advanced = s.box;
+  advanced.advance(dt);
+  const Range mine = member.share(s.state.size());
+  for (std::size_t i = mine.begin; i < mine.end; ++i) {
+    Vec3<double> x = s.state.position(i);
+    const Vec3<double> u = s.state.velocity(i);
+    s.displacement_x[i] += dt * (u.x - s.box.mean_flow(x.y + 0.5 * dt * u.y));
+    s.displacement_y[i] += dt * u.y;
+    s.displacement_z[i] += dt * u.z;
+    x += dt * u;
+    advanced.wrap(x, s.state.ux[i]);
+    s.state.set_position(i, x);
+  }
+  member.barrier();
+  if (member.rank() == 0) {
+    s.box = advanced;
+    s.strain += s.box.shear_rate * dt;
+    s.strain_since_build += s.box.mean_gradient() * dt;
+    ++s.steps;
+  }
+}
+
+/// Everything from the separations to the new velocities.
+void interact(Suspension& s, ThreadTeam& team, double contact_step, double velocity_step) {
+  team.run([&](Member& member) {
+    load_velocities(member, s);
+    s.pairs.update(member, s.list, s.state, s.box);
+    s.contacts.update(member, s.physics.contact, s.pairs, s.velocity, s.state, s.box.velocity_jump(), contact_step,
+                      s.history);
+    s.wall_contacts.update(member, s.physics.contact, s.state, s.velocity, s.box, contact_step);
+    s.lubrication.update(member, s.physics.lubrication_law, s.physics.cutoffs, s.pairs, s.box);
+    s.walls.update(member, s.physics.lubrication_law, s.physics.cutoffs, s.state, s.box);
+    TimeSchemes::dispatch(s.time.scheme, [&](auto tag) {
+      decltype(tag)::type::advance_velocities(member, s, velocity_step);
+    });
+  });
+}
+
+}  // namespace
+
+void start(Suspension& s, ThreadTeam& team) {
+  check_box(s);
+  rebuild_neighbours(s, team);
+  prepare_work_arrays(s);
+  double first = s.time.step;
+  TimeSchemes::dispatch(s.time.scheme, [&](auto tag) { first = decltype(tag)::type::first_step(s.time.step); });
+  interact(s, team, 0.0, first);
+}
+
+void step(Suspension& s, ThreadTeam& team) {
+  team.run([&](Member& member) { drift(member, s); });
+  if (!s.list.valid(largest_displacement(s), s.strain_since_build)) rebuild_neighbours(s, team);
+  interact(s, team, s.time.step, s.time.step);
+}
+
+Sample sample(const Suspension& s, ThreadTeam& team) {
+  TwistVector synchronous;
+  synchronous.resize(s.state.size());
+  TimeSchemes::dispatch(s.time.scheme, [&](auto tag) {
+    for (std::size_t i = 0; i < s.state.size(); ++i)
+      synchronous.set(i, decltype(tag)::type::synchronous_velocity(s, i));
+  });
+  StressModel model{s.physics.drag, s.physics.stresslet, false};
+  LubricationLaws::dispatch(s.physics.lubrication_law,
+                            [&](auto tag) { model.lubrication_sees_background = decltype(tag)::type::sees_background; });
+  return measure(team,
+                 {s.box, s.state, synchronous, s.pairs, s.contacts, s.wall_contacts, s.lubrication, s.walls}, model);
+}
+
+}  // namespace stresslet

@@ -1,0 +1,28 @@
+#pragma once
+/// One time step of a suspension:
+///   drift            x += U dt, images wrapped, sheared box advanced
+///   neighbours       Verlet list rebuilt when a pair could be missing
+///   active pairs     separations, gaps
+///   contacts         springs advanced with the velocities of the drift
+///   resistances      X, Y, B, C of every film
+///   velocities       by the time scheme (schemes/laws.hpp)
+/// `start` does the last four at time zero, so that between steps positions, forces and velocities belong together.
+#include "stresslet/exec/thread_team.hpp"
+#include "stresslet/rheology/stress.hpp"
+#include "stresslet/simulation/suspension.hpp"
+
+namespace stresslet {
+
+/// Allocates the work arrays, finds the neighbours and computes the first velocities. Throws InputError when the box is
+/// too small for the range of the interactions.
+void start(Suspension& s, ThreadTeam& team);
+
+void step(Suspension& s, ThreadTeam& team);
+
+/// Work arrays and velocities for a suspension whose state, list and history have been read from a checkpoint.
+void resume(Suspension& s, ThreadTeam& team);
+
+/// Stress and energies now, with velocities synchronous to the positions.
+Sample sample(const Suspension& s, ThreadTeam& team);
+
+}  // namespace stresslet

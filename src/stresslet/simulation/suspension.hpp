@@ -1,0 +1,62 @@
+#pragma once
+/// A sheared suspension and everything a time step needs: plain data, passed explicitly. `step.hpp` advances it.
+#include <string>
+
+#include "stresslet/dem/contact/contact_forces.hpp"
+#include "stresslet/dem/contact/wall_contacts.hpp"
+#include "stresslet/lubrication/pair_lubrication.hpp"
+#include "stresslet/lubrication/resistance_solver.hpp"
+#include "stresslet/lubrication/wall_films.hpp"
+#include "stresslet/particles/active_pairs.hpp"
+#include "stresslet/particles/box.hpp"
+#include "stresslet/particles/state.hpp"
+#include "stresslet/particles/twist.hpp"
+#include "stresslet/particles/verlet_list.hpp"
+
+namespace stresslet {
+
+/// The model: which forces act. Units: length d1, time 1/shear rate, viscosity 1.
+struct Physics {
+  ContactParameters contact;
+  std::string lubrication_law = "complete";
+  LubricationCutoffs cutoffs;
+  bool drag = true;       ///< Stokes drag and torque in the mean flow
+  bool stresslet = true;  ///< single-sphere stresslet in the stress
+};
+
+struct TimeControl {
+  std::string scheme = "semi-implicit";
+  double step = 0;
+  double solver_tolerance = 1e-3;  ///< per particle, in units of 6 pi viscosity gdot a^2
+  int largest_iteration = 1000;
+};
+
+struct Suspension {
+  Physics physics;
+  TimeControl time;
+  Box box;
+  ParticleState state;
+
+  double strain = 0;
+  std::int64_t steps = 0;
+
+  VerletList list;
+  AlignedVector<double> displacement_x, displacement_y, displacement_z;  ///< against the mean flow, since the build
+  double strain_since_build = 0;
+  std::int64_t builds = 0;
+
+  ActivePairs pairs;
+  ContactHistory history;  ///< per pair of the Verlet list
+  ContactForces contacts;
+  WallContacts wall_contacts;
+  PairLubrication lubrication;
+  WallFilms walls;
+  ResistanceSolver solver;
+  SolverReport solver_report;
+
+  TwistVector velocity;  ///< twists that the present forces were evaluated with
+  TwistVector change;    ///< of the velocities over the last step: the solver's first guess
+  TwistVector residual;
+};
+
+}  // namespace stresslet

@@ -22,6 +22,7 @@ class TwistVector {
  public:
   void resize(std::size_t particles) { data_.assign(particles * twist_stride, 0.0); }
   std::size_t size() const { return data_.size() / twist_stride; }
+  AlignedVector<double>& array() { return data_; }
   double* data() { return data_.data(); }
   const double* data() const { return data_.data(); }
   double* operator[](std::size_t i) { return &data_[i * twist_stride]; }

@@ -11,6 +11,7 @@
 #include "stresslet/exec/aligned.hpp"
 #include "stresslet/exec/thread_team.hpp"
 #include "stresslet/particles/box.hpp"
+#include "stresslet/particles/cell_grid.hpp"
 #include "stresslet/particles/state.hpp"
 
 namespace stresslet {
@@ -34,6 +35,9 @@ class VerletList {
     return 2 * displacement + strain * largest_distance_ <= skin_;
   }
 
+  /// Order of the particles along a space-filling curve, as of the last build.
+  std::vector<std::int32_t> spatial_order() const { return grid_.spatial_order(); }
+
   std::size_t size() const { return i.size(); }
   InteractionRange range() const { return range_; }
   double skin() const { return skin_; }
@@ -42,12 +46,14 @@ class VerletList {
 
   /// Longest centre distance in the list; boxes must be at least twice as long in every periodic direction.
   double largest_distance() const { return largest_distance_; }
-  void set_largest_distance(double d) { largest_distance_ = d; }
+  /// Needed when `i` and `j` are restored from a file instead of built.
+  void set_largest_distance(const ParticleState& state);
 
  private:
   InteractionRange range_;
   double skin_ = 0;
   double largest_distance_ = 0;
+  CellGrid grid_;
 };
 
 }  // namespace stresslet

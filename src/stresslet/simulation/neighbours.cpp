@@ -40,6 +40,26 @@ void restore_springs(Suspension& s, const SpringTable& table) {
   }
 }
 
+template <class Array>
+void permute(Array& a, const std::vector<std::int32_t>& order) {
+  if (a.size() != order.size()) return;
+  Array sorted(a.size());
+  for (std::size_t k = 0; k < order.size(); ++k) sorted[k] = a[std::size_t(order[k])];
+  a = std::move(sorted);
+}
+
+/// Puts particle order[k] at index k; the list must be built anew afterwards.
+void reorder(Suspension& s, const std::vector<std::int32_t>& order) {
+  s.state.for_each_array([&](const char*, auto& array) { permute(array, order); });
+  for (auto* h : {&s.wall_contacts.history.x, &s.wall_contacts.history.y, &s.wall_contacts.history.z})
+    permute(*h, order);
+  if (s.change.size() == order.size()) {
+    const TwistVector before = s.change;
+    for (std::size_t k = 0; k < order.size(); ++k) s.change.set(k, before.get(std::size_t(order[k])));
+  }
+  s.solver.prepare(s.state);
+}
+
 }  // namespace
 
 void check_box(const Suspension& s) {
@@ -64,24 +84,33 @@ double largest_displacement(const Suspension& s) {
 }
 
 void rebuild_neighbours(Suspension& s, ThreadTeam& team) {
+  constexpr std::int64_t builds_between_sorts = 25;
   const SpringTable springs = stretched_springs(s);
   s.list.build(team, s.state, s.box);
+  if (s.builds % builds_between_sorts == 0) {
+    reorder(s, s.list.spatial_order());
+    s.list.build(team, s.state, s.box);
+  }
   restore_springs(s, springs);
   const std::size_t n = s.state.size();
   for (auto* d : {&s.displacement_x, &s.displacement_y, &s.displacement_z}) d->assign(n, 0.0);
   s.strain_since_build = 0;
   ++s.builds;
-  s.pairs.prepare(s.list, n);
+  prepare_pair_arrays(s);
+}
+
+void prepare_pair_arrays(Suspension& s) {
+  s.pairs.prepare(s.list, s.state.size());
   s.contacts.prepare(s.list.size());
   s.lubrication.prepare(s.list.size());
 }
 
-void prepare_work_arrays(Suspension& s) {
+void prepare_particle_arrays(Suspension& s) {
   const std::size_t n = s.state.size();
   s.wall_contacts.prepare(n);
   s.walls.prepare(n, s.box);
   s.solver.prepare(s.state);
-  s.velocity.resize(n), s.residual.resize(n);
+  s.velocity.resize(n), s.velocity_now.resize(n), s.residual.resize(n);
   if (s.change.size() != n) s.change.resize(n);
 }
 

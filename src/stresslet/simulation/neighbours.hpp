@@ -14,7 +14,10 @@ double largest_displacement(const Suspension& s);
 /// Sorts the particles in space now and then, builds the list, and carries the contact history over.
 void rebuild_neighbours(Suspension& s, ThreadTeam& team);
 
-/// Sizes every work array for the present list; keeps histories and velocities.
-void prepare_work_arrays(Suspension& s);
+/// Sizes the work arrays that go with the Verlet list; `rebuild_neighbours` calls it.
+void prepare_pair_arrays(Suspension& s);
+
+/// Sizes the work arrays that go with the particles; keeps histories and velocities.
+void prepare_particle_arrays(Suspension& s);
 
 }  // namespace stresslet

@@ -1,11 +1,5 @@
 #include "stresslet/simulation/step.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-
-#include "stresslet/base/error.hpp"
 #include "stresslet/exec/chunk_sum.hpp"
 #include "stresslet/lubrication/laws.hpp"
 #include "stresslet/simulation/neighbours.hpp"
@@ -15,10 +9,13 @@ namespace stresslet {
 
 namespace {
 
+template <class Scheme>
 void load_velocities(Member& member, Suspension& s) {
   const Range mine = member.share(s.state.size());
-  for (std::size_t i = mine.begin; i < mine.end; ++i)
+  for (std::size_t i = mine.begin; i < mine.end; ++i) {
     s.velocity.set(i, s.state.velocity(i), s.state.angular_velocity(i));
+    s.velocity_now.set(i, Scheme::synchronous_velocity(s, i));
+  }
   member.barrier();
 }
 
@@ -47,18 +44,18 @@ void drift(Member& member, Suspension& s) {
 }
 
 /// Everything from the separations to the new velocities.
+template <class Scheme>
 void interact(Suspension& s, ThreadTeam& team, double contact_step, double velocity_step) {
   team.run([&](Member& member) {
-    load_velocities(member, s);
+    load_velocities<Scheme>(member, s);
+    const ContactVelocities velocities{s.velocity, s.velocity_now};
     s.pairs.update(member, s.list, s.state, s.box);
-    s.contacts.update(member, s.physics.contact, s.pairs, s.velocity, s.state, s.box.velocity_jump(), contact_step,
+    s.contacts.update(member, s.physics.contact, s.pairs, velocities, s.state, s.box.velocity_jump(), contact_step,
                       s.history);
-    s.wall_contacts.update(member, s.physics.contact, s.state, s.velocity, s.box, contact_step);
+    s.wall_contacts.update(member, s.physics.contact, s.state, velocities, s.box, contact_step);
     s.lubrication.update(member, s.physics.lubrication_law, s.physics.cutoffs, s.pairs, s.box);
     s.walls.update(member, s.physics.lubrication_law, s.physics.cutoffs, s.state, s.box);
-    TimeSchemes::dispatch(s.time.scheme, [&](auto tag) {
-      decltype(tag)::type::advance_velocities(member, s, velocity_step);
-    });
+    Scheme::advance_velocities(member, s, velocity_step);
   });
 }
 
@@ -66,17 +63,26 @@ void interact(Suspension& s, ThreadTeam& team, double contact_step, double veloc
 
 void start(Suspension& s, ThreadTeam& team) {
   check_box(s);
+  prepare_particle_arrays(s);
   rebuild_neighbours(s, team);
-  prepare_work_arrays(s);
-  double first = s.time.step;
-  TimeSchemes::dispatch(s.time.scheme, [&](auto tag) { first = decltype(tag)::type::first_step(s.time.step); });
-  interact(s, team, 0.0, first);
+  TimeSchemes::dispatch(s.time.scheme, [&](auto tag) {
+    using Scheme = typename decltype(tag)::type;
+    interact<Scheme>(s, team, 0.0, Scheme::first_step(s.time.step));
+  });
 }
 
 void step(Suspension& s, ThreadTeam& team) {
   team.run([&](Member& member) { drift(member, s); });
   if (!s.list.valid(largest_displacement(s), s.strain_since_build)) rebuild_neighbours(s, team);
-  interact(s, team, s.time.step, s.time.step);
+  TimeSchemes::dispatch(s.time.scheme, [&](auto tag) {
+    interact<typename decltype(tag)::type>(s, team, s.time.step, s.time.step);
+  });
+}
+
+void resume(Suspension& s) {
+  s.list.set_largest_distance(s.state);
+  prepare_particle_arrays(s);
+  prepare_pair_arrays(s);
 }
 
 Sample sample(const Suspension& s, ThreadTeam& team) {

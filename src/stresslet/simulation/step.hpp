@@ -20,7 +20,7 @@ void start(Suspension& s, ThreadTeam& team);
 void step(Suspension& s, ThreadTeam& team);
 
 /// Work arrays and velocities for a suspension whose state, list and history have been read from a checkpoint.
-void resume(Suspension& s, ThreadTeam& team);
+void resume(Suspension& s);
 
 /// Stress and energies now, with velocities synchronous to the positions.
 Sample sample(const Suspension& s, ThreadTeam& team);

@@ -54,7 +54,8 @@ struct Suspension {
   ResistanceSolver solver;
   SolverReport solver_report;
 
-  TwistVector velocity;  ///< twists that the present forces were evaluated with
+  TwistVector velocity;      ///< twists that the present forces were evaluated with
+  TwistVector velocity_now;  ///< twists synchronous to the positions, as far as known before the forces
   TwistVector change;    ///< of the velocities over the last step: the solver's first guess
   TwistVector residual;
 };

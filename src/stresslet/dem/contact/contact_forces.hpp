@@ -50,17 +50,31 @@ struct ContactResult {
   double sliding_power = 0, dashpot_power = 0, elastic_energy = 0;
 };
 
-/// `u`: velocity of 2 relative to 1; `step`: time over which the tangential spring is advanced.
+/// Velocities of a touching pair. A scheme whose velocities are half a step old moves the springs with these, which is
+/// exact, but the dashpot with velocities predicted for the present, or its force would lag behind.
+struct ContactMotion {
+  Vec3<double> u;            ///< velocity of 2 relative to 1, over the last step
+  Vec3<double> w1, w2;       ///< angular velocities, over the last step
+  double separation_speed;   ///< now
+};
+
+/// `step`: time over which the tangential spring is advanced.
 template <class Normal>
 ContactResult contact_force(const ContactGeometry& g, const ContactParameters& p, const Vec3<double>& elongation,
-                            const Vec3<double>& u, const Vec3<double>& w1, const Vec3<double>& w2, double step);
+                            const ContactMotion& motion, double step);
+
+/// Twists over the last step and, for dashpots, now.
+struct ContactVelocities {
+  const TwistVector& over_step;
+  const TwistVector& now;
+};
 
 class ContactForces {
  public:
-  /// Forces at the present positions; the springs are advanced by `step` with the velocities `twist`. Fills one entry
-  /// per active pair (zero when apart). Called by all threads; ends with a barrier.
-  void update(Member& member, const ContactParameters& parameters, const ActivePairs& pairs, const TwistVector& twist,
-              const ParticleState& state, double velocity_jump, double step, ContactHistory& history);
+  /// Forces at the present positions; the springs are advanced by `step`. Called by all threads; ends with a barrier.
+  void update(Member& member, const ContactParameters& parameters, const ActivePairs& pairs,
+              const ContactVelocities& velocities, const ParticleState& state, double velocity_jump, double step,
+              ContactHistory& history);
 
   void prepare(std::size_t capacity);
 
@@ -81,7 +95,7 @@ class ContactForces {
  private:
   template <class Normal>
   void update_range(Range range, const ContactParameters& parameters, const ActivePairs& pairs,
-                    const TwistVector& twist, const ParticleState& state, double velocity_jump, double step,
+                    const ContactVelocities& velocities, const ParticleState& state, double velocity_jump, double step,
                     ContactHistory& history);
 
   std::vector<ContactResult> results_;

@@ -8,7 +8,7 @@ void WallContacts::prepare(std::size_t particles) {
 }
 
 void WallContacts::update(Member& member, const ContactParameters& parameters, const ParticleState& state,
-                          const TwistVector& twist, const Box& box, double step) {
+                          const ContactVelocities& velocities, const Box& box, double step) {
   if (box.kind == BoxKind::walls) {
     NormalContactLaws::dispatch(parameters.normal_law, [&](auto law) {
       using Normal = typename decltype(law)::type;
@@ -25,9 +25,11 @@ void WallContacts::update(Member& member, const ContactParameters& parameters, c
         }
         c.normal_y = upper ? 1 : -1, c.arm = distance, c.overlap = a - distance;
         const ContactGeometry geometry{{0, c.normal_y, 0}, c.overlap, a, state.mass(i), distance, 0};
-        const Twist<double> t = twist.get(i);
         const Vec3<double> wall{box.mean_flow(upper ? box.length.y : 0.0), 0, 0};
-        c.result = contact_force<Normal>(geometry, parameters, history.get(i), wall - t.linear, t.angular, {}, step);
+        const Twist<double> t = velocities.over_step.get(i);
+        const ContactMotion motion{wall - t.linear, t.angular, {},
+                                   dot(wall - velocities.now.get(i).linear, geometry.normal)};
+        c.result = contact_force<Normal>(geometry, parameters, history.get(i), motion, step);
         history.set(i, c.result.elongation);
       }
     });

@@ -13,7 +13,7 @@ class WallContacts {
 
   /// All threads; ends with a barrier. Does nothing in boxes without walls.
   void update(Member& member, const ContactParameters& parameters, const ParticleState& state,
-              const TwistVector& twist, const Box& box, double step);
+              const ContactVelocities& velocities, const Box& box, double step);
 
   /// Adds the wall's force and torque on one particle.
   void add_to(std::size_t particle, Twist<double>& wrench) const {

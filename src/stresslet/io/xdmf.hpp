@@ -1,0 +1,19 @@
+#pragma once
+/// The snapshots of results.h5 for ParaView: an XDMF 3 file with one time step per snapshot, time being the strain.
+/// It holds no numbers of its own but points to the datasets.
+#include <cstddef>
+#include <span>
+#include <string>
+
+namespace stresslet {
+
+/// What XDMF says about one snapshot.
+struct XdmfStep {
+  double strain;
+  std::size_t particles;
+};
+
+/// The XDMF text; `results` is the name of the HDF5 file in the same folder, step k its /snapshots/<k>.
+std::string xdmf_text(std::span<const XdmfStep> steps, const std::string& results);
+
+}  // namespace stresslet

@@ -28,7 +28,8 @@ std::optional<std::string> nearest_word(std::string_view word, const std::vector
     const std::size_t allowed = std::max<std::size_t>(2, candidate.size() / 3);
     if (word.size() > candidate.size() + allowed || candidate.size() > word.size() + allowed) continue;
     const std::size_t edits = edit_distance(word, candidate);
-    if (edits <= allowed && edits < candidate.size() && (!nearest || edits < fewest)) {
+    const bool better = !nearest || edits < fewest || (edits == fewest && candidate.size() > nearest->size());
+    if (better && edits <= allowed && edits < candidate.size()) {
       nearest = candidate;
       fewest = edits;
     }

@@ -207,7 +207,7 @@ void check_lubrication(const Case& read) {
 }
 
 void check_time(const Case& read) {
-  if (read.time.scheme != TimeScheme::inertialess) return;
+  if (read.time.scheme != "inertialess") return;
   const bool drag = read.model.name ? switches_of_model(*read.model.name)->drag : read.model.drag.value_or(true);
   if (!drag)
     refuse(read.where("time.scheme"), "the inertialess scheme needs a model with Stokes drag",

@@ -7,34 +7,24 @@
 #include <utility>
 #include <vector>
 
+#include "stresslet/dem/contact/coulomb_limit.hpp"
 #include "stresslet/io/schema.hpp"
 #include "stresslet/particles/box.hpp"
 
 namespace stresslet {
 
-inline std::vector<std::string> normal_contact_law_names() { return {"hooke", "hertz"}; }
-inline std::vector<std::string> lubrication_law_names() { return {"none", "normal", "complete", "grand-resistance"}; }
+/// Names in NormalContactLaws, LubricationLaws and TimeSchemes.
+std::vector<std::string> normal_contact_law_names();
+std::vector<std::string> lubrication_law_names();
+std::vector<std::string> time_scheme_names();
 
-enum class TimeScheme { semi_implicit, explicit_verlet, inertialess };
 enum class SizeLaw { monodisperse, discrete, lognormal, table };
 enum class ShareKind { number, volume };
-
-/// Which normal force enters the Coulomb limit: of the spring alone (Cundall & Strack 1979), or of spring and dashpot
-/// together (Herrmann & Luding 1998).
-enum class CoulombLimit { spring, spring_dashpot };
 
 template <>
 struct Keywords<BoxKind> {
   static constexpr std::array<std::pair<std::string_view, BoxKind>, 3> names{
       {{"lees-edwards", BoxKind::lees_edwards}, {"walls", BoxKind::walls}, {"periodic", BoxKind::periodic}}};
-};
-
-template <>
-struct Keywords<TimeScheme> {
-  static constexpr std::array<std::pair<std::string_view, TimeScheme>, 3> names{
-      {{"semi-implicit", TimeScheme::semi_implicit},
-       {"explicit", TimeScheme::explicit_verlet},
-       {"inertialess", TimeScheme::inertialess}}};
 };
 
 template <>
@@ -54,7 +44,7 @@ struct Keywords<ShareKind> {
 template <>
 struct Keywords<CoulombLimit> {
   static constexpr std::array<std::pair<std::string_view, CoulombLimit>, 2> names{
-      {{"spring", CoulombLimit::spring}, {"spring-dashpot", CoulombLimit::spring_dashpot}}};
+      {{"spring", CoulombLimit::spring}, {"spring-dashpot", CoulombLimit::spring_and_dashpot}}};
 };
 
 /// The switches of the lubricated model.

@@ -74,12 +74,12 @@ struct LubricationInput {
 };
 
 struct TimeInput {
-  TimeScheme scheme = TimeScheme::semi_implicit;
+  std::string scheme = "semi-implicit";
   std::optional<double> step;
 
   template <class V>
   void describe(V& v) {
-    v.key("scheme", scheme, defaulted, anything(), "",
+    v.key("scheme", scheme, defaulted, one_of(time_scheme_names()), "",
           "Semi-implicit (step limited by contacts), explicit velocity Verlet (step limited by lubrication), or the "
           "limit without particle inertia");
     v.key("step", step, otherwise("derived from contacts and lubrication"), above_up_to(0, 1), "1/shear rate",

@@ -6,16 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "stresslet/dem/contact/coulomb_limit.hpp"
 #include "stresslet/dem/laws.hpp"
 #include "stresslet/exec/thread_team.hpp"
 #include "stresslet/particles/active_pairs.hpp"
 #include "stresslet/particles/twist.hpp"
 
 namespace stresslet {
-
-/// Which normal force enters the Coulomb limit: the spring's alone (Cundall & Strack 1979), or spring plus dashpot
-/// (Herrmann & Luding, Continuum Mech. Thermodyn. 10 (1998) 189). They agree without a dashpot.
-enum class CoulombLimit { spring, spring_and_dashpot };
 
 struct ContactParameters {
   std::string normal_law = "hooke";

@@ -1,0 +1,21 @@
+#pragma once
+/// Run-time checks. Each throws NumericalFailure naming the quantity, the reason and the fix.
+#include "stresslet/simulation/series.hpp"
+#include "stresslet/simulation/suspension.hpp"
+
+namespace stresslet {
+
+/// Stress power against dissipation over the last 0.2 of strain: the detector of steps that are too long, which do not
+/// blow up but lose contacts and dissipate far too much (docs/theory.md). `tolerance` is relative to the viscosity.
+void check_energy_balance(const Series& series, double tolerance);
+
+/// Position, velocity and angular velocity of every particle are finite.
+void check_finite(const Suspension& s);
+
+/// The last velocity solve reached its tolerance.
+void check_solver(const Suspension& s);
+
+/// Explicit scheme: the step is stable for the present films (stability.hpp).
+void check_explicit_step(double step_number, double step);
+
+}  // namespace stresslet

@@ -1,0 +1,39 @@
+#pragma once
+/// The time series of a run: one row per sample, the same columns in results.h5 and series.csv, and the means drawn
+/// from them.
+#include <string>
+#include <vector>
+
+#include "stresslet/io/results_data.hpp"
+#include "stresslet/rheology/stress.hpp"
+
+namespace stresslet {
+
+/// Columns in the order of `Series::add`.
+std::vector<Column> series_columns();
+
+/// All rows so far, by column; kept in memory for error bars, steady-state detection and the monitor.
+class Series {
+ public:
+  Series();
+
+  /// Appends a row made from a sample and returns it. `particles` counts them; relative viscosity from dissipation uses
+  /// the energies of the row before.
+  const std::vector<double>& add(double strain, const Sample& sample, bool stresslet, double particles,
+                                 double solid_fraction, double solver_iterations);
+  /// Appends a row read back from a file.
+  void restore(const std::vector<double>& row);
+
+  std::size_t size() const { return columns_.front().size(); }
+  const std::vector<double>& operator[](const std::string& column) const;
+  /// Rows from the first whose strain is at least `strain` (minus round-off).
+  std::size_t first_row_from(double strain) const;
+
+ private:
+  double last(const std::string& column) const;
+  std::vector<std::string> names_;
+  std::vector<std::vector<double>> columns_;
+  std::vector<double> row_;
+};
+
+}  // namespace stresslet

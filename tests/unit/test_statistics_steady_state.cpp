@@ -32,7 +32,7 @@ TEST(SteadyState, DropsTheTransientAndLittleMore) {
     const std::vector<double> x = series_with_transient(5000, 30, 100, std::uint64_t(r));
     const SteadyState steady = find_steady_state(x);
     EXPECT_TRUE(steady.reached);
-    EXPECT_GE(steady.begin, 250u);
+    EXPECT_GE(steady.begin, 150u);
     EXPECT_LE(steady.begin, 2500u);
     dropped += double(steady.begin) / realisations;
     const Estimate e = estimate_mean(std::span(x).subspan(steady.begin));

@@ -13,7 +13,7 @@ namespace {
 /// Volume of a sphere below the plane at `height` above its centre.
 double volume_below(double radius, double height) {
   const double h = std::clamp(height, -radius, radius);
-  return pi * (2.0 / 3.0 * radius * radius * radius + h * (radius * radius - h * h / 3));
+  return pi / 3 * (radius + h) * (radius + h) * (2 * radius - h);
 }
 
 }  // namespace

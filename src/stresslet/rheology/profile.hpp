@@ -2,10 +2,11 @@
 /// Profiles across the velocity gradient: solid fraction and velocity in slabs of equal height, and the slope of the
 /// velocity.
 ///
-/// A sphere gives each slab the exact volume it has there, V = pi [a^2 h - h^3 / 3] between the planes h above its
-/// centre. Across a periodic face that volume belongs to the image, which in the sheared box moves by
-/// shear_rate length.y more slowly (above) or faster (below). The part pressed beyond a flat wall counts to the slab at
-/// that wall, so that the mean over the slabs is always the solid fraction.
+/// A sphere gives each slab the exact volume it has there; below the plane at height h above its centre lies
+/// V = pi (a + h)^2 (2 a - h) / 3. What reaches beyond a periodic face enters at the opposite one as part of the image,
+/// whose velocity in the sheared box differs by the jump: beyond y = length.y by -shear_rate length.y, below y = 0 by
+/// +shear_rate length.y. What is pressed beyond a flat wall counts to the slab at that wall, so that the mean over the
+/// slabs is always the solid fraction.
 #include <cstddef>
 #include <span>
 #include <utility>

@@ -10,9 +10,10 @@
 ///   doubled until length^3 > 2 n g^2 with g the variance growth reached (Lee et al., Phys. Rev. E 83 (2011) 066706).
 /// Both are multiplied by Student's factor for the few independent numbers they rest on.
 ///
-/// Range of validity: series longer than about 20 integrated correlation times, where the error is 0.95 to 1.35 times
-/// the true one on average; the estimate of a shorter series says so (`reliable`). An error of 10 correlation times is
-/// still about 10 % small, of 5 about half the truth.
+/// Measured on autoregressive processes, (mean - truth) / error has a root mean square of 1.05-1.1 for series of 20 of
+/// Sokal's correlation times (ten independent samples), 0.93-1.05 from 100 on; 1.2 at 10 and 1.7 at 5. `reliable` marks
+/// the first kinds, not sharply, because so short a series hides its own correlation: it is given to 99 % of the series
+/// of 100 correlation times, 57 % of 20, 24 % of 10 and 11 % of 5.
 #include <cstddef>
 #include <span>
 

@@ -82,6 +82,11 @@ TEST(ViscosityFit, RefusesWhatIsNoSetOfViscosities) {
   EXPECT_THROW(fit_viscosity(Points{{0.5, 12, 0.1}, {0.4, 0.9, 0.1}}), InputError);
   EXPECT_THROW(fit_viscosity(Points{{0.5, 12, 0.1}, {0.4, std::nan(""), 0.1}}), InputError);
   EXPECT_THROW(fit_viscosity(Points{{0.5, 12, 0.1}}, -1.0), InputError);
+  // Dilute points fix the ratio n / phi_max only; with the exponent imposed they do fix phi_max.
+  const Points dilute{{0.02, 1.051, 1e-3}, {0.03, 1.078, 1e-3}, {0.05, 1.13, 1e-3}};
+  EXPECT_THROW(fit_viscosity(dilute), InputError);
+  EXPECT_NO_THROW(fit_viscosity(dilute, 1.7));
+  EXPECT_THROW(fit_viscosity(Points{{0.3, 5, 0.1}, {0.45, 4, 0.1}, {0.5, 3, 0.1}}), InputError);
 }
 
 }  // namespace

@@ -121,12 +121,13 @@ ViscosityFit fit_viscosity(std::span<const ViscosityPoint> points, std::optional
 
   const Eigen::MatrixXd gradient = deviations.gradient(q);
   const Eigen::LDLT<Eigen::MatrixXd> curvature(gradient.transpose() * gradient);
-  if (!q.allFinite() || !gradient.allFinite() || curvature.rcond() < 1e-14)
-    refuse("the points do not fix the parameters",
-           "far below the largest solid fraction only the ratio of exponent and maximum enters",
-           "add points at larger solid fractions, or impose the exponent");
   const Eigen::MatrixXd variance = curvature.solve(Eigen::MatrixXd::Identity(q.size(), q.size()));
-  return {.maximum_solid_fraction = deviations.maximum(q),
+  const double maximum = deviations.maximum(q);
+  if (!(variance.allFinite() && variance.diagonal().minCoeff() > 0 && variance(0, 0) < maximum * maximum))
+    refuse("the points do not fix the largest solid fraction: its error is as large as itself",
+           "far below it only the ratio of exponent and largest solid fraction enters",
+           "add points at larger solid fractions, or impose the exponent");
+  return {.maximum_solid_fraction = maximum,
           .maximum_solid_fraction_error = std::sqrt(variance(0, 0)),
           .exponent = deviations.exponent(q),
           .exponent_error = exponent ? 0.0 : std::sqrt(variance(1, 1)),

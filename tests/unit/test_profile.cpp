@@ -58,7 +58,7 @@ TEST_P(ProfileInEveryBox, SlabsSumToTheSolidFraction) {
   const Box box = box_of(GetParam());
   const Spheres s = affine_spheres(box, 300);
   for (std::size_t slabs : {1u, 2u, 7u, 100u}) {
-    Profile profile(box, slabs);
+    ShearProfile profile(box, slabs);
     profile.add(s.y, s.ux, s.radius);
     profile.add(s.y, s.ux, s.radius);
     const double mean = sum(profile.solid_fraction()) / double(slabs);
@@ -79,7 +79,7 @@ TEST(Profile, SlabsAgreeWithSamplingOfTheSphere) {
   const Box box = box_of(BoxKind::lees_edwards, 2.0);
   const double y = 0.3, a = 0.8, u = 0.25;
   const std::size_t slabs = 12;  // of height 0.5
-  Profile profile(box, slabs);
+  ShearProfile profile(box, slabs);
   profile.add(std::vector{y}, std::vector{u}, std::vector{a});
   std::vector<double> sampled(slabs, 0.0);
   const int layers = 200000;
@@ -103,7 +103,7 @@ TEST(Profile, SlabsAgreeWithSamplingOfTheSphere) {
 
 TEST(Profile, SphereAcrossTheUpperFaceIsSlowerBelow) {
   const Box box = box_of(BoxKind::lees_edwards, 2.0);
-  Profile profile(box, 3);
+  ShearProfile profile(box, 3);
   profile.add(std::vector{5.9}, std::vector{5.0}, std::vector{0.5});
   EXPECT_DOUBLE_EQ(profile.velocity()[2], 5.0);
   EXPECT_DOUBLE_EQ(profile.velocity()[0], 5.0 - 12.0);
@@ -111,13 +111,13 @@ TEST(Profile, SphereAcrossTheUpperFaceIsSlowerBelow) {
 }
 
 TEST(Profile, PlainPeriodicImageHasTheSameVelocity) {
-  Profile profile(box_of(BoxKind::periodic, 2.0), 3);
+  ShearProfile profile(box_of(BoxKind::periodic, 2.0), 3);
   profile.add(std::vector{5.9}, std::vector{5.0}, std::vector{0.5});
   EXPECT_DOUBLE_EQ(profile.velocity()[0], 5.0);
 }
 
 TEST(Profile, SpherePressedIntoAWallCountsToItsSlab) {
-  Profile profile(box_of(BoxKind::walls), 6);
+  ShearProfile profile(box_of(BoxKind::walls), 6);
   profile.add(std::vector{0.45, 5.6}, std::vector{0.0, 0.0}, std::vector{0.5, 0.5});
   const std::vector<double> fraction = profile.solid_fraction();
   EXPECT_NEAR(fraction[0] * 12, pi / 6, 1e-14);
@@ -129,7 +129,7 @@ TEST(Profile, AffineMotionHasSlopeOne) {
   for (BoxKind kind : {BoxKind::lees_edwards, BoxKind::walls}) {
     const Box box = box_of(kind, 0.37);
     const Spheres s = affine_spheres(box, 500);
-    Profile profile(box, 10);
+    ShearProfile profile(box, 10);
     for (int frame = 0; frame < 3; ++frame) profile.add(s.y, s.ux, s.radius);
     EXPECT_NEAR(profile.velocity_slope(), 1, 1e-13);
   }
@@ -138,7 +138,7 @@ TEST(Profile, AffineMotionHasSlopeOne) {
 TEST(Profile, AffineSheathOfEqualSpheresOnALatticeIsAffineInTheSlabs) {
   // Centres in the middle of every slab, radius half a slab: each slab holds one sphere and its velocity.
   const Box box = box_of(BoxKind::lees_edwards);
-  Profile profile(box, 6);
+  ShearProfile profile(box, 6);
   std::vector<double> y, u, a;
   for (int k = 0; k < 6; ++k) y.push_back(k + 0.5), u.push_back(box.mean_flow(k + 0.5)), a.push_back(0.5);
   profile.add(y, u, a);
@@ -151,10 +151,10 @@ TEST(Profile, AffineSheathOfEqualSpheresOnALatticeIsAffineInTheSlabs) {
 
 TEST(Profile, SlopeIsTheWeightedLeastSquaresOne) {
   // Three spheres; volumes 1 : 8 : 1 in proportion, heights 1, 2, 3, velocities 0, 5, 4: slope (4 - 0) / 2.
-  Profile profile(box_of(BoxKind::walls), 4);
+  ShearProfile profile(box_of(BoxKind::walls), 4);
   profile.add(std::vector{1.0, 2.0, 3.0}, std::vector{0.0, 5.0, 4.0}, std::vector{0.2, 0.4, 0.2});
   EXPECT_NEAR(profile.velocity_slope(), 2, 1e-13);
-  Profile flat(box_of(BoxKind::walls), 4);
+  ShearProfile flat(box_of(BoxKind::walls), 4);
   EXPECT_EQ(flat.velocity_slope(), 0);
   flat.add(std::vector{1.0}, std::vector{3.0}, std::vector{0.2});
   EXPECT_EQ(flat.velocity_slope(), 0);
@@ -163,7 +163,7 @@ TEST(Profile, SlopeIsTheWeightedLeastSquaresOne) {
 TEST(Profile, ContinuesFromItsSums) {
   const Box box = box_of(BoxKind::lees_edwards);
   const Spheres s = affine_spheres(box, 50);
-  Profile unbroken(box, 5), first(box, 5), second(box, 5);
+  ShearProfile unbroken(box, 5), first(box, 5), second(box, 5);
   unbroken.add(s.y, s.ux, s.radius);
   first.add(s.y, s.ux, s.radius);
   second.restore(first.sums());

@@ -22,12 +22,12 @@ double sphere_volume_between(double radius, double lower, double upper) {
   return volume_below(radius, upper) - volume_below(radius, lower);
 }
 
-Profile::Profile(const Box& box, std::size_t slabs) : box_(box), slab_height_(box.length.y / double(slabs)) {
+ShearProfile::ShearProfile(const Box& box, std::size_t slabs) : box_(box), slab_height_(box.length.y / double(slabs)) {
   sums_.volume.assign(slabs, 0.0);
   sums_.volume_velocity.assign(slabs, 0.0);
 }
 
-void Profile::add(std::span<const double> y, std::span<const double> ux, std::span<const double> radius) {
+void ShearProfile::add(std::span<const double> y, std::span<const double> ux, std::span<const double> radius) {
   const long slabs = long(sums_.volume.size());
   double weight = 0, weighted_y = 0;
   for (std::size_t i = 0; i < y.size(); ++i) {
@@ -55,20 +55,20 @@ void Profile::add(std::span<const double> y, std::span<const double> ux, std::sp
   ++sums_.frames;
 }
 
-std::vector<double> Profile::height() const {
+std::vector<double> ShearProfile::height() const {
   std::vector<double> middle(sums_.volume.size());
   for (std::size_t k = 0; k < middle.size(); ++k) middle[k] = (double(k) + 0.5) * slab_height_;
   return middle;
 }
 
-std::vector<double> Profile::solid_fraction() const {
+std::vector<double> ShearProfile::solid_fraction() const {
   std::vector<double> fraction(sums_.volume);
   const double slab_volume = box_.length.x * slab_height_ * box_.length.z;
   for (double& f : fraction) f /= std::max(1.0, sums_.frames) * slab_volume;
   return fraction;
 }
 
-std::vector<double> Profile::velocity() const {
+std::vector<double> ShearProfile::velocity() const {
   std::vector<double> mean(sums_.volume.size());
   for (std::size_t k = 0; k < mean.size(); ++k)
     mean[k] =
@@ -76,7 +76,7 @@ std::vector<double> Profile::velocity() const {
   return mean;
 }
 
-double Profile::velocity_slope() const {
+double ShearProfile::velocity_slope() const {
   if (!(sums_.slope_yy > 0)) return 0;
   const double unit = box_.mean_gradient() != 0 ? box_.mean_gradient() : 1.0;
   return sums_.slope_yu / sums_.slope_yy / unit;

@@ -27,10 +27,10 @@ struct ProfileSums {
   double slope_yy = 0, slope_yu = 0;    ///< sum of w (y - mean y)^2 and w (y - mean y) u, w the volume of the sphere
 };
 
-class Profile {
+class ShearProfile {
  public:
   /// Of `box` only kind, lengths and shear rate are used.
-  Profile(const Box& box, std::size_t slabs);
+  ShearProfile(const Box& box, std::size_t slabs);
 
   /// Adds one frame: centres y in [0, length.y), velocities u_x in the frame of the box, radii; all [particle].
   void add(std::span<const double> y, std::span<const double> ux, std::span<const double> radius);

@@ -52,6 +52,10 @@ void check_suspension(const Case& read) {
                     "the file already holds the particles and the box");
     return;
   }
+  if (suspension.box)
+    refuse(read.where("suspension.box"), "suspension.box is given without suspension.file",
+           "the box of a random packing follows from solid_fraction, count and box_aspect",
+           "remove it, or name a start configuration in suspension.file");
   if (!suspension.solid_fraction)
     refuse(read.where("suspension.solid_fraction"), "suspension.solid_fraction is missing",
            "without a start configuration in suspension.file, a packing is made, and its density has no default",

@@ -48,7 +48,7 @@ struct SuspensionInput {
   std::optional<double> solid_fraction;
   std::optional<std::int64_t> count;
   std::int64_t seed = 1;
-  std::optional<Vec3<double>> box_aspect;
+  std::optional<Vec3<double>> box_aspect, box;
   std::optional<InputPath> file;
   std::optional<SizesInput> sizes;
 
@@ -63,6 +63,8 @@ struct SuspensionInput {
           "Proportions of the box along flow, gradient and vorticity");
     v.key("file", file, otherwise("a random packing is made"), anything(), "",
           "Start configuration, CSV or extended XYZ, in place of solid_fraction, count, box_aspect and sizes");
+    v.key("box", box, otherwise("the Lattice of an extended XYZ `file`"), above(0), "d1",
+          "Lengths of the box for the start configuration in `file`");
     v.section("sizes", sizes,
               "Size distribution. Left out, it is two sizes, 1 : 1.4, with equal volumes, which does not crystallise.");
   }

@@ -62,17 +62,17 @@ void reorder(Suspension& s, const std::vector<std::int32_t>& order) {
 
 }  // namespace
 
-void check_box(const Suspension& s) {
-  const double a = *std::max_element(s.state.radius.begin(), s.state.radius.end());
-  const double needed = 2 * (2 * a + s.list.range()(a, a) + s.list.skin());
-  const auto& l = s.box.length;
-  const double shortest = std::min({l.x, l.z, s.box.periodic_in_y() ? l.y : l.x});
+void check_box(const Box& box, double largest_radius, const InteractionRange& range, double skin,
+               const std::string& where) {
+  const double needed = 2 * (2 * largest_radius + range(largest_radius, largest_radius) + skin);
+  const auto& l = box.length;
+  const double shortest = std::min({l.x, l.z, box.periodic_in_y() ? l.y : l.x});
   if (shortest < needed)
-    throw InputError({"", fmt::format("the box is {:.3g} long in its shortest periodic direction", shortest),
-                      fmt::format("a particle would meet two images of the same neighbour; at least {:.3g} is needed "
+    throw InputError({where, fmt::format("the box is {:.3g} d1 long in its shortest periodic direction", shortest),
+                      fmt::format("a particle would meet two images of the same neighbour; at least {:.3g} d1 is needed "
                                   "for the largest sphere, the lubrication range and the list's skin",
                                   needed),
-                      "raise suspension.count"});
+                      "raise suspension.count, or choose a less slender box"});
 }
 
 double largest_displacement(const Suspension& s) {

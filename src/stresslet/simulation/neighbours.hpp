@@ -5,8 +5,9 @@
 
 namespace stresslet {
 
-/// Throws InputError when the box is too small for nearest images to be unique.
-void check_box(const Suspension& s);
+/// Throws InputError when the box is too small for nearest images to be unique; `where` is the place in the input.
+void check_box(const Box& box, double largest_radius, const InteractionRange& range, double skin,
+               const std::string& where);
 
 /// Largest distance that a particle has moved against the mean flow since the list was built.
 double largest_displacement(const Suspension& s);

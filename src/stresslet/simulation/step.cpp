@@ -62,7 +62,6 @@ void interact(Suspension& s, ThreadTeam& team, double contact_step, double veloc
 }  // namespace
 
 void start(Suspension& s, ThreadTeam& team) {
-  check_box(s);
   prepare_particle_arrays(s);
   rebuild_neighbours(s, team);
   TimeSchemes::dispatch(s.time.scheme, [&](auto tag) {

@@ -13,8 +13,7 @@
 
 namespace stresslet {
 
-/// Allocates the work arrays, finds the neighbours and computes the first velocities. Throws InputError when the box is
-/// too small for the range of the interactions.
+/// Allocates the work arrays, finds the neighbours and computes the first velocities.
 void start(Suspension& s, ThreadTeam& team);
 
 void step(Suspension& s, ThreadTeam& team);

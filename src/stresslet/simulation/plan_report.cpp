@@ -1,0 +1,116 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "stresslet/simulation/plan.hpp"
+
+namespace stresslet {
+
+namespace {
+
+std::string line(const std::string& label, const std::string& value, const std::string& remark = {}) {
+  return fmt::format("  {:<28}{:<18}{}\n", label, value, remark);
+}
+
+std::string duration(double seconds) {
+  if (seconds < 90) return fmt::format("{:.0f} s", std::max(seconds, 1.0));
+  if (seconds < 5400) return fmt::format("{:.0f} min", seconds / 60);
+  return seconds < 2 * 86400 ? fmt::format("{:.1f} h", seconds / 3600) : fmt::format("{:.1f} days", seconds / 86400);
+}
+
+std::string memory(double bytes) {
+  return bytes < 1e9 ? fmt::format("{:.0f} MB", std::max(bytes / 1e6, 1.0)) : fmt::format("{:.1f} GB", bytes / 1e9);
+}
+
+std::string suspension_lines(const Case& c, const Plan& p) {
+  const auto [smallest, largest] = std::minmax_element(p.radii.begin(), p.radii.end());
+  const Vec3<double>& l = p.box.length;
+  std::string text = "suspension\n";
+  text += line("solid fraction", fmt::format("{:.4g}", p.solid_fraction));
+  text += line("particles", fmt::format("{}", p.count()),
+               fmt::format("diameters {:.4g} to {:.4g} d1", 2 * *smallest, 2 * *largest));
+  text += line("box", fmt::format("{:.4g} x {:.4g} x {:.4g}", l.x, l.y, l.z), std::string(keyword(c.flow.boundary)));
+  text += line("start", c.suspension.file ? c.suspension.file->text : fmt::format("seed {}", c.suspension.seed),
+               c.suspension.file ? "" : "random packing");
+  return text;
+}
+
+std::string model_lines(const Case& c, const Plan& p) {
+  const ContactParameters& contact = p.physics.contact;
+  std::string text = "model\n";
+  text += line("Stokes number", fmt::format("{:.4g}", c.stokes_number()), "rho d1^2 gdot / eta");
+  text += line("lubrication", p.physics.lubrication_law,
+               fmt::format("gaps {:.3g} to {:.3g} d_eff", p.physics.cutoffs.inner, p.physics.cutoffs.outer));
+  text += line("Stokes drag, stresslet", fmt::format("{}, {}", p.physics.drag ? "yes" : "no",
+                                                     p.physics.stresslet ? "yes" : "no"));
+  text += line("contact", contact.normal_law,
+               fmt::format("kn* = {:.4g}, kt/kn = {:.3g}{}", contact.stiffness, contact.tangential_ratio,
+                           c.contact.largest_overlap ? ", from largest_overlap" : ""));
+  text += line("friction", fmt::format("{:.3g}", contact.friction),
+               c.contact.restitution < 1 ? fmt::format("restitution {:.3g}", c.contact.restitution) : "no dashpot");
+  if (c.units) {
+    const UnitsInput& u = *c.units;
+    text += line("SI", fmt::format("d1 {:.3g} m", u.diameter),
+                 fmt::format("1/gdot = {:.3g} s, stress unit eta gdot = {:.3g} Pa, kn = {:.3g} {}", 1 / u.shear_rate,
+                             u.viscosity * u.shear_rate,
+                             contact.stiffness * u.viscosity * u.shear_rate *
+                                 (contact.normal_law == "hertz" ? 1.0 : u.diameter),
+                             contact.normal_law == "hertz" ? "Pa" : "N/m"));
+  }
+  return text;
+}
+
+std::string time_lines(const Case& c, const Plan& p) {
+  const StepBounds& b = p.bounds;
+  std::string text = "time\n";
+  text += line("scheme", p.time.scheme);
+  text += line("step", fmt::format("{:.3g} / gdot", p.time.step),
+               fmt::format("{}; limit {:.3g}", c.time.step ? "as given" : "derived", b.largest));
+  text += line("bound by", b.binding);
+  text += line("half period of a contact", fmt::format("{:.3g} / gdot", b.contact),
+               fmt::format("{:.0f} steps", b.contact / p.time.step));
+  if (b.film > 0)
+    text += line("relaxation of a film", fmt::format("{:.3g} / gdot", b.film),
+                 fmt::format("{:.2g} steps", b.film / p.time.step));
+  if (b.relaxation > 0)
+    text += line("relaxation of an overlap", fmt::format("{:.3g} / gdot", b.relaxation),
+                 fmt::format("{:.0f} steps", b.relaxation / p.time.step));
+  return text;
+}
+
+std::string cost_lines(const Case& c, const Plan& p) {
+  std::string text = "run\n";
+  text += line("strain", fmt::format("{:.4g}", c.run.strain),
+               c.run.average_from ? fmt::format("averages from {:.4g}", *c.run.average_from)
+                                  : "averages from the detected steady state");
+  text += line("steps", fmt::format("{:.4g}", p.steps(c.run.strain)));
+  text += line("threads", fmt::format("{}", p.threads));
+  text += line("memory", memory(p.memory_bytes()));
+  text += line("expected time", duration(p.expected_seconds(c.run.strain)), "rough, see the progress line of the run");
+  return text;
+}
+
+std::string warnings(const Case& c, const Plan& p) {
+  std::string text;
+  const auto warn = [&](const std::string& message) { text += "  warning: " + message + "\n"; };
+  if (c.stokes_number() > 0.3)
+    warn("St > 0.3: particle inertia changes the viscosity (it no longer does below about 0.1)");
+  if (p.time.scheme == "semi-implicit" && p.time.step > 2.5 * p.bounds.chosen)
+    warn("the step is more than 2.5 times the default: expect errors of some per cent in the stress");
+  if (p.count() < 500) warn("fewer than 500 particles: expect effects of the finite box beside a larger error bar");
+  if (c.run.average_from && c.run.strain - *c.run.average_from < 2)
+    warn("averages over less than 2 of strain: the error bar rests on few independent samples");
+  if (p.physics.lubrication_law == "grand-resistance" && p.box.kind == BoxKind::walls)
+    warn("films at the walls have no strain terms");
+  return text.empty() ? text : "warnings\n" + text;
+}
+
+}  // namespace
+
+std::string plan_report(const Case& settled, const Plan& plan) {
+  return suspension_lines(settled, plan) + model_lines(settled, plan) + time_lines(settled, plan) +
+         cost_lines(settled, plan) + warnings(settled, plan);
+}
+
+}  // namespace stresslet

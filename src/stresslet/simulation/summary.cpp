@@ -1,0 +1,92 @@
+#include "stresslet/simulation/summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <span>
+
+#include "stresslet/io/provenance.hpp"
+#include "stresslet/rheology/steady_state.hpp"
+
+namespace stresslet {
+
+AveragingWindow averaging_window(const Case& settled, const Series& series) {
+  if (!settled.run.average_from) {
+    const SteadyState steady = find_steady_state(series["relative_viscosity"]);
+    return {steady.begin, steady.reached};
+  }
+  const std::size_t first = series.first_row_from(*settled.run.average_from);
+  return first < series.size() ? AveragingWindow{first, true} : AveragingWindow{series.size() / 2, false};
+}
+
+Estimate mean_over(const Series& series, const AveragingWindow& window, const std::string& column) {
+  return estimate_mean(std::span(series[column]).subspan(window.first_row));
+}
+
+namespace {
+
+nlohmann::ordered_json as_json(const Estimate& e) { return {{"mean", e.mean}, {"error", e.error}}; }
+
+}  // namespace
+
+std::string summary_json(const Case& settled, const Plan& plan, const Series& series, double velocity_slope,
+                         const RunCost& cost, const std::string& status) {
+  const AveragingWindow window = averaging_window(settled, series);
+  const auto mean = [&](const std::string& column) { return mean_over(series, window, column); };
+  const Estimate viscosity = mean("relative_viscosity");
+  const auto& strain = series["strain"];
+  const double sample_strain = series.size() > 1 ? strain[1] - strain[0] : 0.0;
+  const auto& overlap = series["largest_overlap"];
+
+  nlohmann::ordered_json j;
+  j["status"] = status;
+  j["version"] = provenance("", plan.threads, settled.suspension.seed).version;
+  j["solid_fraction"] = plan.solid_fraction;
+  j["particles"] = plan.count();
+  j["strain"] = strain.back();
+  j["average_from"] = strain[window.first_row];
+  j["steady"] = window.steady;
+  j["relative_viscosity"] = as_json(viscosity);
+  j["relative_viscosity"]["reliable"] = viscosity.reliable;
+  j["relative_viscosity"]["correlation_strain"] = viscosity.correlation_samples * sample_strain;
+  j["relative_viscosity_from_dissipation"] = as_json(mean("relative_viscosity_from_dissipation"));
+  StressParts::for_each(StressParts{}, [&](const char* part, const Stress&) {
+    j["contribution"][part] = as_json(mean(std::string(part) + "_xy"));
+  });
+  for (const char* column : {"N1", "N2", "particle_pressure", "contacts_per_particle"})
+    j[column] = as_json(mean(column));
+  j["largest_overlap"] = *std::max_element(overlap.begin() + long(window.first_row), overlap.end());
+  j["velocity_slope"] = velocity_slope;
+  j["wall_seconds"] = cost.wall_seconds;
+  j["particle_steps_per_second"] = cost.wall_seconds > 0 ? cost.particle_steps / cost.wall_seconds : 0.0;
+  j["seconds_per_unit_strain"] = strain.back() > 0 ? cost.wall_seconds / strain.back() : 0.0;
+  return j.dump(2) + "\n";
+}
+
+std::string summary_text(const Case& settled, const Series& series) {
+  const AveragingWindow window = averaging_window(settled, series);
+  const auto mean = [&](const std::string& column) { return mean_over(series, window, column); };
+  const Estimate viscosity = mean("relative_viscosity");
+  const auto& strain = series["strain"];
+  std::string text = fmt::format("\nrelative viscosity        {:>9.4g} +- {:.2g}   (strain {:.4g} to {:.4g}{})\n",
+                                 viscosity.mean, viscosity.error, strain[window.first_row], strain.back(),
+                                 window.steady ? "" : "; not yet steady");
+  const Estimate dissipated = mean("relative_viscosity_from_dissipation");
+  text += fmt::format("  from dissipation        {:>9.4g} +- {:.2g}\n", dissipated.mean, dissipated.error);
+  text += "carried by\n";
+  text += fmt::format("  {:<24}{:>9.4g}\n", "fluid", 1.0);
+  StressParts::for_each(StressParts{}, [&](std::string part, const Stress&) {
+    const Estimate e = mean(part + "_xy");
+    if (e.mean == 0 && e.error == 0) return;
+    std::replace(part.begin(), part.end(), '_', ' ');
+    text += fmt::format("  {:<24}{:>9.4g} +- {:.2g}\n", part, e.mean, e.error);
+  });
+  for (const char* column : {"N1", "N2"}) {
+    const Estimate e = mean(column);
+    text += fmt::format("{:<26}{:>9.4g} +- {:.2g}\n", column, e.mean, e.error);
+  }
+  return text;
+}
+
+}  // namespace stresslet

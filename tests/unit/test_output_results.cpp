@@ -105,11 +105,12 @@ TEST(ResultsFile, CheckpointReplacesTheOneBefore) {
   EXPECT_EQ(ResultsReader(folder / "results.h5").checkpoint(), other);
 }
 
-TEST(ResultsFile, CheckpointsDoNotMakeTheFileGrow) {
+TEST(ResultsFile, CheckpointsAndProfilesDoNotMakeTheFileGrow) {
   const TemporaryFolder folder;
   ResultsWriter writer = ResultsWriter::start(folder / "results.h5", columns(), "", provenance("", 1, 0));
   std::uintmax_t after_ten = 0;
   for (std::size_t k = 0; k < 60; ++k) {
+    writer.set_profile({"velocity", "d shear rate", "mean velocity", {20}, std::vector<double>(20, double(k))});
     writer.commit(checkpoint(k, 2000));
     if (k == 10) after_ten = std::filesystem::file_size(folder / "results.h5");
   }

@@ -55,8 +55,12 @@ void write_snapshot(hdf5::File& file, const std::string& group, const Snapshot& 
 void write_profile(hdf5::File& file, const Profile& profile) {
   const std::string path = "/profiles/" + profile.name;
   file.write<double>(path, profile.values, profile.shape);
-  file.set_attribute(path, "unit", profile.unit);
-  file.set_attribute(path, "description", profile.description);
+  const auto describe = [&](const std::string& name, const std::string& text) {  // rewriting would make the file grow
+    if (!file.has_attribute(path, name) || file.text_attribute(path, name) != text)
+      file.set_attribute(path, name, text);
+  };
+  describe("unit", profile.unit);
+  describe("description", profile.description);
 }
 
 void write_checkpoint(hdf5::File& file, const Checkpoint& checkpoint) {

@@ -33,7 +33,7 @@ ResultsFolder start(const std::filesystem::path& folder) {
 }
 
 ResultsFolder resume(const std::filesystem::path& folder) {
-  return ResultsFolder::resume(folder, columns(), provenance("restart", 1, 1));
+  return ResultsFolder::resume(folder, columns(), "", provenance("restart", 1, 1));
 }
 
 std::string xyz_up_to(std::size_t snapshots) {

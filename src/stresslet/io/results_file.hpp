@@ -59,8 +59,10 @@ class ResultsWriter {
   /// A new file; nothing is touched on disk before the first commit, which replaces an old file of that name.
   static ResultsWriter start(std::filesystem::path file, std::vector<Column> columns, std::string resolved_input,
                              Provenance provenance);
-  /// Goes on with an existing file. InputError if the file cannot be read or holds other columns.
-  static ResultsWriter resume(std::filesystem::path file, std::vector<Column> columns, Provenance provenance);
+  /// Goes on with an existing file, whose input is replaced by the one of the continuation. InputError if the file
+  /// cannot be read or holds other columns.
+  static ResultsWriter resume(std::filesystem::path file, std::vector<Column> columns, std::string resolved_input,
+                              Provenance provenance);
 
   /// One value per column, in order.
   void add_sample(std::span<const double> values);

@@ -88,8 +88,10 @@ ResultsWriter ResultsWriter::start(std::filesystem::path file, std::vector<Colum
   return writer;
 }
 
-ResultsWriter ResultsWriter::resume(std::filesystem::path file, std::vector<Column> columns, Provenance from) {
+ResultsWriter ResultsWriter::resume(std::filesystem::path file, std::vector<Column> columns, std::string resolved_input,
+                                    Provenance from) {
   ResultsWriter writer(std::move(file), std::move(columns), std::move(from));
+  writer.resolved_input_ = std::move(resolved_input);
   const ResultsReader reader(writer.path_);
   if (reader.columns() != writer.columns_)
     throw InputError({writer.path_.string(), "its time series has other columns than this run writes",
@@ -121,7 +123,11 @@ void ResultsWriter::write_to(hdf5::File& file, const Checkpoint& checkpoint) con
   if (new_file_) write_header(file, columns_, resolved_input_);
   if (note_provenance_) {
     std::string group = "/provenance";
-    if (!new_file_) file.create_group(group = fmt::format("/provenance/restart_{:03}", file.members(group).size() + 1));
+    if (!new_file_) {
+      file.create_group(group = fmt::format("/provenance/restart_{:03}", file.members(group).size() + 1));
+      file.remove("/input/resolved");
+      file.write_text("/input/resolved", resolved_input_);
+    }
     write_provenance(file, group, provenance_);
   }
   for (std::size_t k = 0; k < columns_.size(); ++k) file.append<double>("/series/" + columns_[k].name, samples_[k]);

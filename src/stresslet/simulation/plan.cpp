@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "stresslet/base/error.hpp"
+#include "stresslet/base/constants.hpp"
 #include "stresslet/particles/packing/generator.hpp"
 #include "stresslet/particles/sizes/laws.hpp"
 #include "stresslet/simulation/neighbours.hpp"
@@ -87,13 +88,16 @@ void check_walls(const Case& c, const Plan& plan) {
                     "lower it; 0.05 is the usual value"});
 }
 
-double volume_of(const std::vector<double>& radii) {
+double volume_of(std::vector<double> radii) {
+  std::sort(radii.begin(), radii.end());  // the same bits in any order of the particles
   double sum = 0;
   for (double a : radii) sum += 4.0 / 3.0 * pi * a * a * a;
   return sum;
 }
 
 }  // namespace
+
+double solid_fraction(const std::vector<double>& radii, const Box& box) { return volume_of(radii) / box.volume(); }
 
 double Plan::memory_bytes() const {
   constexpr double per_particle = 900, per_candidate = 330;  // arrays of Suspension, by count of their entries
@@ -110,29 +114,30 @@ double Plan::expected_seconds(double strain) const {
   return work * (1.1e-7 + 3.5e-8 * iterations) / speed_up;
 }
 
-Plan make_plan(const Case& c) {
+Plan make_plan(const Case& c, const Existing* existing) {
   Plan plan;
   plan.density = c.stokes_number();
   plan.skin = skin;
   plan.threads = c.run.threads > 0 ? int(c.run.threads) : int(std::max(1u, std::thread::hardware_concurrency()));
-  if (c.suspension.file) {
+  plan.box.kind = c.flow.boundary;
+  if (existing) {
+    plan.radii = existing->radii;
+    plan.box.length = existing->box_length;
+  } else if (c.suspension.file) {
     StartConfiguration start = read_start(c, plan.density);
     plan.loaded = std::move(start.state);
     plan.box = start.box;
     plan.radii.assign(plan.loaded.radius.begin(), plan.loaded.radius.end());
-    plan.solid_fraction = volume_of(plan.radii) / plan.box.volume();
   } else {
     plan.sizes = make_sizes(c);
     for (const SizeClassed& s : plan.sizes) plan.radii.push_back(0.5 * s.diameter);
-    plan.solid_fraction = *c.suspension.solid_fraction;
-    plan.box.kind = c.flow.boundary;
     const Vec3<double> aspect = c.suspension.box_aspect.value_or(Vec3<double>{1, 1, 1});
-    const double scale =
-        std::cbrt(volume_of(plan.radii) / plan.solid_fraction / (aspect.x * aspect.y * aspect.z));
-    plan.box.length = scale * aspect;
+    const double volume = volume_of(plan.radii) / *c.suspension.solid_fraction;
+    plan.box.length = std::cbrt(volume / (aspect.x * aspect.y * aspect.z)) * aspect;
   }
+  plan.solid_fraction = solid_fraction(plan.radii, plan.box);
   plan.box.shear_rate = plan.box.kind == BoxKind::periodic ? 0.0 : 1.0;
-  plan.physics = make_physics(c, plan.solid_fraction);
+  plan.physics = make_physics(c, c.suspension.solid_fraction.value_or(plan.solid_fraction));
   plan.range = {plan.physics.lubrication_law == "none" ? 0.0 : plan.physics.cutoffs.outer};
   plan.bounds = step_bounds(plan.physics, c.time.scheme, plan.radii, plan.density);
   plan.time.scheme = c.time.scheme;
@@ -159,7 +164,7 @@ Suspension make_suspension(const Case& c, const Plan& plan, const std::function<
     return s;
   }
   Packing packing = generate_packing(
-      plan.sizes, {plan.box.kind, c.suspension.box_aspect.value_or(Vec3<double>{1, 1, 1}), plan.solid_fraction,
+      plan.sizes, {plan.box.kind, c.suspension.box_aspect.value_or(Vec3<double>{1, 1, 1}), *c.suspension.solid_fraction,
                    std::uint64_t(c.suspension.seed), plan.box.shear_rate, plan.density},
       report);
   s.state = std::move(packing.state);

@@ -33,8 +33,18 @@ struct Plan {
   double expected_seconds(double strain) const;
 };
 
+/// Particles and box that exist already.
+struct Existing {
+  std::vector<double> radii;
+  Vec3<double> box_length;
+};
+
 /// Throws InputError for anything that cannot be run: sizes, stiffness, a time step above the limit, a box too small.
-Plan make_plan(const Case& settled);
+/// With `existing` particles nothing is packed or read (restart).
+Plan make_plan(const Case& settled, const Existing* existing = nullptr);
+
+/// Volume of the spheres over volume of the box; the same bits in any order of the spheres.
+double solid_fraction(const std::vector<double>& radii, const Box& box);
 
 /// The plan's numbers for people: dimensionless groups, steps and what binds them, memory, expected time, warnings.
 std::string plan_report(const Case& settled, const Plan& plan);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "stresslet/simulation/plan.hpp"
+#include "stresslet/simulation/progress.hpp"
 
 namespace stresslet {
 
@@ -11,12 +12,6 @@ namespace {
 
 std::string line(const std::string& label, const std::string& value, const std::string& remark = {}) {
   return fmt::format("  {:<28}{:<18}{}\n", label, value, remark);
-}
-
-std::string duration(double seconds) {
-  if (seconds < 90) return fmt::format("{:.0f} s", std::max(seconds, 1.0));
-  if (seconds < 5400) return fmt::format("{:.0f} min", seconds / 60);
-  return seconds < 2 * 86400 ? fmt::format("{:.1f} h", seconds / 3600) : fmt::format("{:.1f} days", seconds / 86400);
 }
 
 std::string memory(double bytes) {
@@ -87,7 +82,7 @@ std::string cost_lines(const Case& c, const Plan& p) {
   text += line("steps", fmt::format("{:.4g}", p.steps(c.run.strain)));
   text += line("threads", fmt::format("{}", p.threads));
   text += line("memory", memory(p.memory_bytes()));
-  text += line("expected time", duration(p.expected_seconds(c.run.strain)), "rough, see the progress line of the run");
+  text += line("expected time", duration_text(p.expected_seconds(c.run.strain)), "rough, see the progress line of the run");
   return text;
 }
 

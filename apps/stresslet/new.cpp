@@ -1,0 +1,30 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+
+#include "commands.hpp"
+#include "stresslet/io/atomic_file.hpp"
+#include "stresslet/simulation/case.hpp"
+
+namespace stresslet {
+
+void add_new(CLI::App& app, ExitCode&) {
+  auto file = std::make_shared<std::string>();
+  CLI::App* command = app.add_subcommand("new", "Write a commented input file to start from");
+  command->add_option("FILE", *file, "File to write; - for standard output")->required();
+  command->callback([file] {
+    if (*file == "-") {
+      fmt::print("{}", new_case_template());
+      return;
+    }
+    if (std::filesystem::exists(*file))
+      throw InputError({*file, "the file exists already", "an input that somebody wrote must not be lost",
+                        "choose another name, or remove it first"});
+    replace_file(*file, new_case_template());
+    fmt::print("{} written; next: stresslet check {}\n", *file, *file);
+  });
+}
+
+}  // namespace stresslet

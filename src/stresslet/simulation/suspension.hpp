@@ -37,7 +37,7 @@ struct Suspension {
   Box box;
   ParticleState state;
 
-  double strain = 0;
+  double strain = 0;  ///< time x shear rate of the units, also where the box is not sheared
   std::int64_t steps = 0;
 
   VerletList list;

@@ -23,7 +23,7 @@ struct BoxGeometry {
   bool periodic_in_y = true;
 };
 
-/// All particles at one strain, in ascending order of `id`. Vectors are row-major, shape (N, 3).
+/// All particles at one strain, in ascending order of `id`, which counts 0 ... N-1.
 struct Snapshot {
   double strain = 0, time = 0;
   BoxGeometry box;

@@ -122,7 +122,8 @@ TEST(ResultsFile, AResumedRunAppends) {
   const TemporaryFolder folder;
   write_three(folder / "results.h5");
   for (std::size_t restart = 0; restart < 2; ++restart) {
-    ResultsWriter writer = ResultsWriter::resume(folder / "results.h5", columns(), "strain = 2\n", provenance("restart", 1, 42));
+    ResultsWriter writer =
+        ResultsWriter::resume(folder / "results.h5", columns(), "strain = 2\n", provenance("restart", 1, 42));
     EXPECT_EQ(writer.sample_count(), 6 + restart);
     EXPECT_EQ(writer.snapshot_count(), 3 + restart);
     writer.add_sample(sample(6 + restart));

@@ -53,10 +53,9 @@ ResultsFolder ResultsFolder::start(std::filesystem::path folder, std::vector<Col
 }
 
 ResultsFolder ResultsFolder::resume(std::filesystem::path folder, std::vector<Column> columns,
-                              std::string resolved_input, Provenance from,
-                                    OutputChoice choice) {
-  ResultsWriter writer = ResultsWriter::resume(folder / results_file_name, std::move(columns),
-                                                std::move(resolved_input), std::move(from));
+                                    std::string resolved_input, Provenance from, OutputChoice choice) {
+  ResultsWriter writer =
+      ResultsWriter::resume(folder / results_file_name, std::move(columns), std::move(resolved_input), std::move(from));
   ResultsFolder results(std::move(folder), std::move(writer), choice);
   results.old_files_ = false;
   results.rebuild_from_results();

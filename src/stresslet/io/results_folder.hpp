@@ -26,9 +26,8 @@ class ResultsFolder {
   static ResultsFolder start(std::filesystem::path folder, std::vector<Column> columns, std::string resolved_input,
                              Provenance provenance, OutputChoice choice = {});
   /// Goes on with the run in `folder`; see ResultsWriter::resume.
-  static ResultsFolder resume(std::filesystem::path folder, std::vector<Column> columns,
-                              std::string resolved_input, Provenance provenance,
-                              OutputChoice choice = {});
+  static ResultsFolder resume(std::filesystem::path folder, std::vector<Column> columns, std::string resolved_input,
+                              Provenance provenance, OutputChoice choice = {});
 
   /// One value per column, in order.
   void add_sample(std::span<const double> values);

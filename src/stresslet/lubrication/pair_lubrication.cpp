@@ -17,7 +17,8 @@ void PairLubrication::update_range(Range range, const LubricationCutoffs& cutoff
     const Pack a1 = load(&pairs.radius_i[p]), a2 = load(&pairs.radius_j[p]), gap = load(&pairs.gap[p]);
     const Pack effective = effective_diameter(a1, a2);
     const auto apart = gap > cutoffs.outer * effective;
-    const Pack film = select(apart, Pack(cutoffs.outer * effective), Pack(stdx::max(gap, Pack(cutoffs.inner * effective))));
+    const Pack film =
+        select(apart, Pack(cutoffs.outer * effective), Pack(stdx::max(gap, Pack(cutoffs.inner * effective))));
     const PairResistance<Pack> k = Law::resistance(a1, a2, film);
     store(&X_[p], select(apart, zero, k.X));
     store(&Y_[p], select(apart, zero, k.Y));
@@ -47,8 +48,8 @@ void PairLubrication::apply(Member& member, const ActivePairs& pairs, const Twis
     if constexpr (background) motion.u.x += load(&background_x_[p]);
     const PairResistance<Pack> k{load(&X_[p]), load(&Y_[p]), load(&B_[p]), load(&C_[p])};
     const PairWrench<Pack> w = pair_wrench(pairs.normal_pack(p), load(&arm_[p]), k, motion);
-    const Pack components[wrench_stride] = {w.force.x,    w.force.y,           w.force.z,
-                                            w.half_sum.x, w.half_sum.y,        w.half_sum.z,
+    const Pack components[wrench_stride] = {w.force.x,           w.force.y,           w.force.z,
+                                            w.half_sum.x,        w.half_sum.y,        w.half_sum.z,
                                             w.half_difference.x, w.half_difference.y, w.half_difference.z};
     for (std::size_t lane = 0; lane < pack_width; ++lane)
       for (std::size_t c = 0; c < wrench_stride; ++c) wrench_[wrench_stride * (p + lane) + c] = components[c][lane];

@@ -47,8 +47,7 @@ R YC11(const R& l, const Singular<R>& s) {
 }
 template <class R>
 R XG11(const R& l, const Singular<R>& s) {
-  return (R(3) * l * l * s.inverse_gap + R(0.3) * l * (R(1) + R(12) * l - R(4) * l * l) * s.logarithm) /
-         cube(R(1) + l);
+  return (R(3) * l * l * s.inverse_gap + R(0.3) * l * (R(1) + R(12) * l - R(4) * l * l) * s.logarithm) / cube(R(1) + l);
 }
 template <class R>
 R YG11(const R& l, const Singular<R>& s) {

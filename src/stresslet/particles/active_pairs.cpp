@@ -59,9 +59,7 @@ void ActivePairs::measure_chunk(std::size_t c, const VerletList& list, const Par
   std::size_t k = begin;
   for (; k + pack_width <= end; k += pack_width) {
     const std::int32_t *a = &list.i[k], *b = &list.j[k];
-    const auto difference = [&](const AlignedVector<double>& v) {
-      return gather(v.data(), b) - gather(v.data(), a);
-    };
+    const auto difference = [&](const AlignedVector<double>& v) { return gather(v.data(), b) - gather(v.data(), a); };
     const auto s = box.nearest_image(Vec3<Pack>{difference(state.x), difference(state.y), difference(state.z)});
     const Pack a1 = gather(state.radius.data(), a), a2 = gather(state.radius.data(), b);
     const Pack sum = a1 + a2;

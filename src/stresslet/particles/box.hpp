@@ -13,7 +13,6 @@ namespace stresslet {
 
 enum class BoxKind { lees_edwards, periodic, walls };
 
-
 /// Separation of two particles by the nearest image, and how many boxes up in y that image lies.
 template <class R>
 struct Separation {

@@ -101,11 +101,9 @@ void add_particle(const Instant& now, std::size_t i, const StressModel& model, A
   sum.momentum += m * c;
   sum.kinetic_energy += 0.5 * (m * dot(c, c) + s.inertia(i) * dot(spin, spin));
   sum.stress.reynolds -= m * square(c);
-  sum.stress.acceleration -=
-      (0.2 * m * a * a) * (square(t.angular) - dot(t.angular, t.angular) * identity3<double>());
+  sum.stress.acceleration -= (0.2 * m * a * a) * (square(t.angular) - dot(t.angular, t.angular) * identity3<double>());
   if (model.stresslet) sum.stress.stresslet += stresslet_coefficient(a) * mean_strain_rate(now.box);
-  if (model.drag)
-    sum.dissipation_drag += translational_drag(a) * dot(c, c) + rotational_drag(a) * dot(spin, spin);
+  if (model.drag) sum.dissipation_drag += translational_drag(a) * dot(c, c) + rotational_drag(a) * dot(spin, spin);
   if (now.walls.present()) add_wall(now, i, t, sum);
 }
 

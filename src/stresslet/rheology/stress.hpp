@@ -46,11 +46,11 @@ struct StressParts {
 struct Sample {
   StressParts stress;  ///< per volume
   double dissipation_lubrication = 0, dissipation_sliding = 0, dissipation_dashpot = 0,
-         dissipation_drag = 0;                          ///< per volume
-  double elastic_energy = 0, kinetic_energy = 0;        ///< per volume; kinetic relative to the mean flow
-  double contacts = 0;                                  ///< number of overlapping pairs, wall contacts included
-  double largest_overlap = 0;                           ///< over the smaller diameter of the pair
-  Vec3<double> momentum{};                              ///< relative to the mean flow, all particles
+         dissipation_drag = 0;                    ///< per volume
+  double elastic_energy = 0, kinetic_energy = 0;  ///< per volume; kinetic relative to the mean flow
+  double contacts = 0;                            ///< number of overlapping pairs, wall contacts included
+  double largest_overlap = 0;                     ///< over the smaller diameter of the pair
+  Vec3<double> momentum{};                        ///< relative to the mean flow, all particles
 
   double dissipation() const {
     return dissipation_lubrication + dissipation_sliding + dissipation_dashpot + dissipation_drag;

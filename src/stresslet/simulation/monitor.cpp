@@ -29,9 +29,10 @@ void check_energy_balance(const Series& series, double tolerance) {
   const double dissipation = mean_from(series["relative_viscosity_from_dissipation"], first);
   if (std::abs(dissipation - stress) <= tolerance * std::abs(stress)) return;
   throw NumericalFailure(
-      {"", fmt::format("stress power and dissipation part: relative viscosity {:.4g} from stress, {:.4g} from "
-                       "dissipation, between strain {:.4g} and {:.4g}",
-                       stress, dissipation, now - window, now),
+      {"",
+       fmt::format("stress power and dissipation part: relative viscosity {:.4g} from stress, {:.4g} from "
+                   "dissipation, between strain {:.4g} and {:.4g}",
+                   stress, dissipation, now - window, now),
        "what the stress puts in must be dissipated or stored; a time step that is too long does not blow up but "
        "oscillates in the thin films and loses contacts, and then the viscosity is wrong too",
        "set a smaller time.step, or time.scheme = \"semi-implicit\"; run.monitor_tolerance sets the mismatch allowed"});
@@ -40,8 +41,9 @@ void check_energy_balance(const Series& series, double tolerance) {
 void check_finite(const Suspension& s) {
   const auto fail = [&](std::size_t i, const char* quantity, const Vec3<double>& v) {
     throw NumericalFailure(
-        {"", fmt::format("particle {} has {} ({}, {}, {}) at strain {:.6g}", s.state.id[i], quantity, v.x, v.y, v.z,
-                         s.strain),
+        {"",
+         fmt::format("particle {} has {} ({}, {}, {}) at strain {:.6g}", s.state.id[i], quantity, v.x, v.y, v.z,
+                     s.strain),
          "a number that is not finite spreads to all neighbours within a few steps",
          "look at the last snapshot around this particle; a smaller time.step or a stiffer contact usually cures it"});
   };
@@ -56,8 +58,9 @@ void check_finite(const Suspension& s) {
 void check_solver(const Suspension& s) {
   if (s.solver_report.converged) return;
   throw NumericalFailure(
-      {"", fmt::format("the velocity solve stopped at residual {:.3g} after {} iterations, at strain {:.6g}",
-                       s.solver_report.residual, s.solver_report.iterations, s.strain),
+      {"",
+       fmt::format("the velocity solve stopped at residual {:.3g} after {} iterations, at strain {:.6g}",
+                   s.solver_report.residual, s.solver_report.iterations, s.strain),
        "the system of lubrication and drag is too ill-conditioned for its tolerance, so velocities would be wrong",
        "set a smaller time.step, or a larger lubrication.inner_cutoff"});
 }
@@ -66,11 +69,13 @@ void check_explicit_step(double step_number, double step) {
   constexpr double stable = 2.0;
   if (step_number < stable) return;
   throw NumericalFailure(
-      {"", fmt::format("the time step {:.3g} exceeds {:.3g}, the stable one of the present network of films", step,
-                       step * stable / step_number),
+      {"",
+       fmt::format("the time step {:.3g} exceeds {:.3g}, the stable one of the present network of films", step,
+                   step * stable / step_number),
        "a particle squeezed by several neighbours relaxes faster than a pair; an unstable step does not blow up but "
        "loses contacts silently",
-       fmt::format("set time.step below {:.2g}, or time.scheme = \"semi-implicit\"", 0.8 * step * stable / step_number)});
+       fmt::format("set time.step below {:.2g}, or time.scheme = \"semi-implicit\"",
+                   0.8 * step * stable / step_number)});
 }
 
 }  // namespace stresslet

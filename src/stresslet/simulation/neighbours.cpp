@@ -68,11 +68,12 @@ void check_box(const Box& box, double largest_radius, const InteractionRange& ra
   const auto& l = box.length;
   const double shortest = std::min({l.x, l.z, box.periodic_in_y() ? l.y : l.x});
   if (shortest < needed)
-    throw InputError({where, fmt::format("the box is {:.3g} d1 long in its shortest periodic direction", shortest),
-                      fmt::format("a particle would meet two images of the same neighbour; at least {:.3g} d1 is needed "
-                                  "for the largest sphere, the lubrication range and the list's skin",
-                                  needed),
-                      "raise suspension.count, or choose a less slender box"});
+    throw InputError(
+        {where, fmt::format("the box is {:.3g} d1 long in its shortest periodic direction", shortest),
+         fmt::format("a particle would meet two images of the same neighbour; at least {:.3g} d1 is needed "
+                     "for the largest sphere, the lubrication range and the list's skin",
+                     needed),
+         "raise suspension.count, or choose a less slender box"});
 }
 
 double largest_displacement(const Suspension& s) {

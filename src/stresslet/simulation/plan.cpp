@@ -6,8 +6,8 @@
 #include <cmath>
 #include <thread>
 
-#include "stresslet/base/error.hpp"
 #include "stresslet/base/constants.hpp"
+#include "stresslet/base/error.hpp"
 #include "stresslet/particles/packing/generator.hpp"
 #include "stresslet/particles/sizes/laws.hpp"
 #include "stresslet/simulation/neighbours.hpp"
@@ -19,8 +19,8 @@ namespace {
 
 constexpr double skin = 0.15;  // in d1: a list lasts for some 200 steps
 
-/// Viscosity used only to estimate forces and times: (1 - phi/phi_max)^-1.7 with the frictional or frictionless phi_max,
-/// bounded near jamming.
+/// Viscosity used only to estimate forces and times: (1 - phi/phi_max)^-1.7 with the frictional or frictionless
+/// phi_max, bounded near jamming.
 double rough_viscosity(double solid_fraction, double friction) {
   const double reach = friction > 0.1 ? 0.576 : 0.65;
   return std::pow(std::max(1 - solid_fraction / reach, 0.02), -1.7);
@@ -74,8 +74,8 @@ double settled_step(const Case& c, const StepBounds& bounds) {
   if (*c.time.step <= bounds.largest) return *c.time.step;
   throw InputError(
       {c.where("time.step"),
-       fmt::format("time.step = {:.4g} is above the largest step {:.4g} of the {} scheme", *c.time.step,
-                   bounds.largest, c.time.scheme),
+       fmt::format("time.step = {:.4g} is above the largest step {:.4g} of the {} scheme", *c.time.step, bounds.largest,
+                   c.time.scheme),
        fmt::format("it is limited by {}; a longer step does not blow up but loses contacts silently", bounds.binding),
        fmt::format("leave time.step out ({:.4g} is then used), or choose another time.scheme", bounds.chosen)});
 }
@@ -164,8 +164,9 @@ Suspension make_suspension(const Case& c, const Plan& plan, const std::function<
     return s;
   }
   Packing packing = generate_packing(
-      plan.sizes, {plan.box.kind, c.suspension.box_aspect.value_or(Vec3<double>{1, 1, 1}), *c.suspension.solid_fraction,
-                   std::uint64_t(c.suspension.seed), plan.box.shear_rate, plan.density},
+      plan.sizes,
+      {plan.box.kind, c.suspension.box_aspect.value_or(Vec3<double>{1, 1, 1}), *c.suspension.solid_fraction,
+       std::uint64_t(c.suspension.seed), plan.box.shear_rate, plan.density},
       report);
   s.state = std::move(packing.state);
   s.box = packing.box;

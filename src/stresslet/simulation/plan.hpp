@@ -18,9 +18,9 @@ struct Plan {
   StepBounds bounds;
   InteractionRange range;
   double skin = 0;
-  std::vector<double> radii;        ///< of all particles
-  std::vector<SizeClassed> sizes;   ///< to be packed; empty when a file gives the start
-  ParticleState loaded;             ///< start read from a file; empty when it is packed
+  std::vector<double> radii;       ///< of all particles
+  std::vector<SizeClassed> sizes;  ///< to be packed; empty when a file gives the start
+  ParticleState loaded;            ///< start read from a file; empty when it is packed
   Box box;
   double density = 0;
   double solid_fraction = 0;

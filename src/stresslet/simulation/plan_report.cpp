@@ -37,8 +37,8 @@ std::string model_lines(const Case& c, const Plan& p) {
   text += line("Stokes number", fmt::format("{:.4g}", c.stokes_number()), "rho d1^2 gdot / eta");
   text += line("lubrication", p.physics.lubrication_law,
                fmt::format("gaps {:.3g} to {:.3g} d_eff", p.physics.cutoffs.inner, p.physics.cutoffs.outer));
-  text += line("Stokes drag, stresslet", fmt::format("{}, {}", p.physics.drag ? "yes" : "no",
-                                                     p.physics.stresslet ? "yes" : "no"));
+  text += line("Stokes drag, stresslet",
+               fmt::format("{}, {}", p.physics.drag ? "yes" : "no", p.physics.stresslet ? "yes" : "no"));
   text += line("contact", contact.normal_law,
                fmt::format("kn* = {:.4g}, kt/kn = {:.3g}{}", contact.stiffness, contact.tangential_ratio,
                            c.contact.largest_overlap ? ", from largest_overlap" : ""));
@@ -46,12 +46,12 @@ std::string model_lines(const Case& c, const Plan& p) {
                c.contact.restitution < 1 ? fmt::format("restitution {:.3g}", c.contact.restitution) : "no dashpot");
   if (c.units) {
     const UnitsInput& u = *c.units;
-    text += line("SI", fmt::format("d1 {:.3g} m", u.diameter),
-                 fmt::format("1/gdot = {:.3g} s, stress unit eta gdot = {:.3g} Pa, kn = {:.3g} {}", 1 / u.shear_rate,
-                             u.viscosity * u.shear_rate,
-                             contact.stiffness * u.viscosity * u.shear_rate *
-                                 (contact.normal_law == "hertz" ? 1.0 : u.diameter),
-                             contact.normal_law == "hertz" ? "Pa" : "N/m"));
+    text += line(
+        "SI", fmt::format("d1 {:.3g} m", u.diameter),
+        fmt::format("1/gdot = {:.3g} s, stress unit eta gdot = {:.3g} Pa, kn = {:.3g} {}", 1 / u.shear_rate,
+                    u.viscosity * u.shear_rate,
+                    contact.stiffness * u.viscosity * u.shear_rate * (contact.normal_law == "hertz" ? 1.0 : u.diameter),
+                    contact.normal_law == "hertz" ? "Pa" : "N/m"));
   }
   return text;
 }
@@ -82,7 +82,8 @@ std::string cost_lines(const Case& c, const Plan& p) {
   text += line("steps", fmt::format("{:.4g}", p.steps(c.run.strain)));
   text += line("threads", fmt::format("{}", p.threads));
   text += line("memory", memory(p.memory_bytes()));
-  text += line("expected time", duration_text(p.expected_seconds(c.run.strain)), "rough, see the progress line of the run");
+  text +=
+      line("expected time", duration_text(p.expected_seconds(c.run.strain)), "rough, see the progress line of the run");
   return text;
 }
 

@@ -205,7 +205,8 @@ ExitCode run_case(const Case& settled, const RunOptions& options) {
 ExitCode restart_run(const std::vector<std::string>& overrides, const RunOptions& options) {
   const ResultsReader reader(options.output / results_file_name);
   refuse_changed_physics(overrides);
-  const Case settled = read_case_text(reader.resolved_input(), (options.output / results_file_name).string(), overrides);
+  const Case settled =
+      read_case_text(reader.resolved_input(), (options.output / results_file_name).string(), overrides);
   const Plan plan = make_restart_plan(settled, reader);
 
   Suspension suspension = make_empty_suspension(plan);

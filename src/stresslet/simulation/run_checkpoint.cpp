@@ -14,8 +14,8 @@ namespace stresslet {
 namespace {
 
 constexpr std::array<std::string_view, 9> changeable{
-    "run.strain",    "run.average_from",    "run.relative_error", "run.threads", "run.monitor_tolerance",
-    "output.commit_every", "output.csv", "output.xyz",         "output.paraview"};
+    "run.strain",          "run.average_from", "run.relative_error", "run.threads",    "run.monitor_tolerance",
+    "output.commit_every", "output.csv",       "output.xyz",         "output.paraview"};
 
 template <class Value, class Map>
 const Value& stored(const Map& map, const std::string& name) {

@@ -14,7 +14,9 @@ Snapshot make_snapshot(const Suspension& s) {
   Snapshot snapshot;
   snapshot.strain = snapshot.time = s.strain;
   snapshot.box = {{s.box.length.x, s.box.length.y, s.box.length.z}, s.box.offset, s.box.periodic_in_y()};
-  const auto append = [](std::vector<double>& rows, const Vec3<double>& v) { rows.insert(rows.end(), {v.x, v.y, v.z}); };
+  const auto append = [](std::vector<double>& rows, const Vec3<double>& v) {
+    rows.insert(rows.end(), {v.x, v.y, v.z});
+  };
   for (std::size_t i : order) {
     append(snapshot.position, state.position(i));
     append(snapshot.velocity, state.velocity(i));

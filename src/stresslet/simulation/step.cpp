@@ -73,9 +73,8 @@ void start(Suspension& s, ThreadTeam& team) {
 void step(Suspension& s, ThreadTeam& team) {
   team.run([&](Member& member) { drift(member, s); });
   if (!s.list.valid(largest_displacement(s), s.strain_since_build)) rebuild_neighbours(s, team);
-  TimeSchemes::dispatch(s.time.scheme, [&](auto tag) {
-    interact<typename decltype(tag)::type>(s, team, s.time.step, s.time.step);
-  });
+  TimeSchemes::dispatch(s.time.scheme,
+                        [&](auto tag) { interact<typename decltype(tag)::type>(s, team, s.time.step, s.time.step); });
 }
 
 void resume(Suspension& s) {
@@ -92,10 +91,11 @@ Sample sample(const Suspension& s, ThreadTeam& team) {
       synchronous.set(i, decltype(tag)::type::synchronous_velocity(s, i));
   });
   StressModel model{s.physics.drag, s.physics.stresslet, false};
-  LubricationLaws::dispatch(s.physics.lubrication_law,
-                            [&](auto tag) { model.lubrication_sees_background = decltype(tag)::type::sees_background; });
-  return measure(team,
-                 {s.box, s.state, synchronous, s.pairs, s.contacts, s.wall_contacts, s.lubrication, s.walls}, model);
+  LubricationLaws::dispatch(s.physics.lubrication_law, [&](auto tag) {
+    model.lubrication_sees_background = decltype(tag)::type::sees_background;
+  });
+  return measure(team, {s.box, s.state, synchronous, s.pairs, s.contacts, s.wall_contacts, s.lubrication, s.walls},
+                 model);
 }
 
 }  // namespace stresslet

@@ -69,9 +69,9 @@ std::string summary_text(const Case& settled, const Series& series) {
   const auto mean = [&](const std::string& column) { return mean_over(series, window, column); };
   const Estimate viscosity = mean("relative_viscosity");
   const auto& strain = series["strain"];
-  std::string text = fmt::format("\nrelative viscosity        {:>9.4g} +- {:.2g}   (strain {:.4g} to {:.4g}{})\n",
-                                 viscosity.mean, viscosity.error, strain[window.first_row], strain.back(),
-                                 window.steady ? "" : "; not yet steady");
+  std::string text =
+      fmt::format("\nrelative viscosity        {:>9.4g} +- {:.2g}   (strain {:.4g} to {:.4g}{})\n", viscosity.mean,
+                  viscosity.error, strain[window.first_row], strain.back(), window.steady ? "" : "; not yet steady");
   const Estimate dissipated = mean("relative_viscosity_from_dissipation");
   text += fmt::format("  from dissipation        {:>9.4g} +- {:.2g}\n", dissipated.mean, dissipated.error);
   text += "carried by\n";

@@ -56,7 +56,7 @@ struct Suspension {
 
   TwistVector velocity;      ///< twists that the present forces were evaluated with
   TwistVector velocity_now;  ///< twists synchronous to the positions, as far as known before the forces
-  TwistVector change;    ///< of the velocities over the last step: the solver's first guess
+  TwistVector change;        ///< of the velocities over the last step: the solver's first guess
   TwistVector residual;
 };
 

@@ -29,8 +29,8 @@ PairScales pair_scales(const Physics& physics, double a1, double a2, double dens
   NormalContactLaws::dispatch(physics.contact.normal_law, [&](auto tag) {
     using Law = typename decltype(tag)::type;
     s.stiffness = Law::tangent_stiffness(overlap, reduced_radius, physics.contact.stiffness);
-    s.tangential_stiffness = physics.contact.tangential_ratio *
-                             Law::tangential_scale(overlap, reduced_radius, physics.contact.stiffness);
+    s.tangential_stiffness =
+        physics.contact.tangential_ratio * Law::tangential_scale(overlap, reduced_radius, physics.contact.stiffness);
   });
   LubricationLaws::dispatch(physics.lubrication_law, [&](auto tag) {
     s.film = decltype(tag)::type::resistance(a1, a2, physics.cutoffs.inner * effective_diameter(a1, a2));
@@ -75,7 +75,8 @@ void limit_by_pair(StepBounds& b, const std::string& scheme, const PairScales& s
       limit(b, 0.3 * s.film.Y / s.tangential_stiffness, s.film.Y / s.tangential_stiffness,
             "sliding contacts (0.3 of the relaxation Y_max/kt of the tangential spring)");
     else if (friction)
-      limit(b, 0.6 * sliding, 1.6 * sliding, "sliding contacts (0.6 of the inverse frequency of the tangential spring)");
+      limit(b, 0.6 * sliding, 1.6 * sliding,
+            "sliding contacts (0.6 of the inverse frequency of the tangential spring)");
   }
   if (b.chosen < before) {
     b.contact = contact, b.film = std::isfinite(film) ? film : 0, b.relaxation = relaxation;

@@ -1,5 +1,6 @@
 #pragma once
-/// Time steps that a model allows, before the run: from the stiffest contact and the thinnest film of any pair of sizes.
+/// Time steps that a model allows, before the run: from the stiffest contact and the thinnest film of any pair of
+/// sizes.
 ///
 ///   contact      pi sqrt(m_eff/k)      half period of an undamped collision
 ///   film         m_eff/X_cap           relaxation of the relative velocity in the thinnest film
@@ -19,14 +20,14 @@
 namespace stresslet {
 
 struct StepBounds {
-  double chosen = 0;    ///< the default step
-  double largest = 0;   ///< steps above are refused
-  std::string binding;  ///< what limits the step, in words
+  double chosen = 0;                                          ///< the default step
+  double largest = 0;                                         ///< steps above are refused
+  std::string binding;                                        ///< what limits the step, in words
   double contact = 0, film = 0, relaxation = 0, sliding = 0;  ///< of the governing pair; 0 where it does not apply
 };
 
-/// For spheres of the given radii and density. Contact stiffness of Hertzian contacts is taken at an overlap of 0.5 % of
-/// the smaller diameter.
+/// For spheres of the given radii and density. Contact stiffness of Hertzian contacts is taken at an overlap of 0.5 %
+/// of the smaller diameter.
 StepBounds step_bounds(const Physics& physics, const std::string& scheme, std::span<const double> radii,
                        double density);
 

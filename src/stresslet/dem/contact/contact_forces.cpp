@@ -29,10 +29,8 @@ ContactResult contact_force(const ContactGeometry& g, const ContactParameters& p
   result.force = -normal_force * e;
   if (p.friction > 0) {
     const Vec3<double> sliding = tangential_part(motion.u, e) - cross(g.arm1 * motion.w1 + g.arm2 * motion.w2, e);
-    const double limit =
-        p.friction * (p.coulomb_limit == CoulombLimit::spring ? spring : std::max(normal_force, 0.0));
-    const double stiffness =
-        p.tangential_ratio * Normal::tangential_scale(g.overlap, g.reduced_radius, p.stiffness);
+    const double limit = p.friction * (p.coulomb_limit == CoulombLimit::spring ? spring : std::max(normal_force, 0.0));
+    const double stiffness = p.tangential_ratio * Normal::tangential_scale(g.overlap, g.reduced_radius, p.stiffness);
     const TangentialSpring t = advance_tangential_spring(elongation, e, step * sliding, stiffness, limit);
     result.elongation = t.elongation;
     result.tangential_force = t.force;
@@ -52,8 +50,8 @@ void ContactForces::prepare(std::size_t capacity) { results_.assign(capacity, {}
 
 template <class Normal>
 void ContactForces::update_range(Range range, const ContactParameters& parameters, const ActivePairs& pairs,
-                                 const ContactVelocities& velocities, const ParticleState& state,
-                                 double velocity_jump, double step, ContactHistory& history) {
+                                 const ContactVelocities& velocities, const ParticleState& state, double velocity_jump,
+                                 double step, ContactHistory& history) {
   for (std::size_t p = range.begin; p < range.end; ++p) {
     const std::size_t k = std::size_t(pairs.candidate[p]);
     if (pairs.gap[p] >= 0) continue;
@@ -61,8 +59,7 @@ void ContactForces::update_range(Range range, const ContactParameters& parameter
     const Vec3<double> jump{pairs.images_up[p] * velocity_jump, 0, 0};
     const auto relative = [&](const TwistVector& t) { return t.get(j).linear - t.get(i).linear - jump; };
     const ContactMotion motion{relative(velocities.over_step), velocities.over_step.get(i).angular,
-                               velocities.over_step.get(j).angular,
-                               dot(relative(velocities.now), pairs.normal(p))};
+                               velocities.over_step.get(j).angular, dot(relative(velocities.now), pairs.normal(p))};
     const double a1 = pairs.radius_i[p], a2 = pairs.radius_j[p], sum = a1 + a2;
     const double m1 = state.mass(i), m2 = state.mass(j);
     const ContactGeometry geometry{pairs.normal(p),
@@ -81,7 +78,8 @@ void ContactForces::update(Member& member, const ContactParameters& parameters, 
                            double step, ContactHistory& history) {
   NormalContactLaws::dispatch(parameters.normal_law, [&](auto law) {
     using Normal = typename decltype(law)::type;
-    update_range<Normal>(member.share(pairs.size()), parameters, pairs, velocities, state, velocity_jump, step, history);
+    update_range<Normal>(member.share(pairs.size()), parameters, pairs, velocities, state, velocity_jump, step,
+                         history);
   });
   if (parameters.friction > 0) {
     const Range candidates = member.share(history.x.size());

@@ -16,10 +16,10 @@ namespace stresslet {
 
 struct ContactParameters {
   std::string normal_law = "hooke";
-  double stiffness = 0;          ///< Hooke: force/length; Hertz: pressure
+  double stiffness = 0;                 ///< Hooke: force/length; Hertz: pressure
   double tangential_ratio = 2.0 / 7.0;  ///< kt/kn
-  double friction = 0;           ///< Coulomb coefficient; 0 switches the tangential spring off
-  double damping_ratio = 0;      ///< beta of the restitution coefficient; 0 = no dashpot
+  double friction = 0;                  ///< Coulomb coefficient; 0 switches the tangential spring off
+  double damping_ratio = 0;             ///< beta of the restitution coefficient; 0 = no dashpot
   CoulombLimit coulomb_limit = CoulombLimit::spring;
 };
 
@@ -50,9 +50,9 @@ struct ContactResult {
 /// Velocities of a touching pair. A scheme whose velocities are half a step old moves the springs with these, which is
 /// exact, but the dashpot with velocities predicted for the present, or its force would lag behind.
 struct ContactMotion {
-  Vec3<double> u;            ///< velocity of 2 relative to 1, over the last step
-  Vec3<double> w1, w2;       ///< angular velocities, over the last step
-  double separation_speed;   ///< now
+  Vec3<double> u;           ///< velocity of 2 relative to 1, over the last step
+  Vec3<double> w1, w2;      ///< angular velocities, over the last step
+  double separation_speed;  ///< now
 };
 
 /// `step`: time over which the tangential spring is advanced.

@@ -27,8 +27,8 @@ void WallContacts::update(Member& member, const ContactParameters& parameters, c
         const ContactGeometry geometry{{0, c.normal_y, 0}, c.overlap, a, state.mass(i), distance, 0};
         const Vec3<double> wall{box.mean_flow(upper ? box.length.y : 0.0), 0, 0};
         const Twist<double> t = velocities.over_step.get(i);
-        const ContactMotion motion{wall - t.linear, t.angular, {},
-                                   dot(wall - velocities.now.get(i).linear, geometry.normal)};
+        const ContactMotion motion{
+            wall - t.linear, t.angular, {}, dot(wall - velocities.now.get(i).linear, geometry.normal)};
         c.result = contact_force<Normal>(geometry, parameters, history.get(i), motion, step);
         history.set(i, c.result.elongation);
       }

@@ -24,7 +24,8 @@ void implicit_solve(Member& member, Suspension& s, double inverse_step) {
     const double a = s.state.radius[i];
     const double drag = s.physics.drag ? translational_drag(a) : 0.0;
     const double spin_drag = s.physics.drag ? rotational_drag(a) : 0.0;
-    s.solver.set_own_resistance(i, s.state.mass(i) * inverse_step + drag, s.state.inertia(i) * inverse_step + spin_drag);
+    s.solver.set_own_resistance(i, s.state.mass(i) * inverse_step + drag,
+                                s.state.inertia(i) * inverse_step + spin_drag);
     double *v = s.velocity[i], *c = s.change[i];
     for (std::size_t k = 0; k < twist_stride; ++k) v[k] += c[k];
   }

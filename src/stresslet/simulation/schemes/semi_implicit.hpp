@@ -1,8 +1,8 @@
 #pragma once
 /// Lubrication and drag implicit, contacts explicit:
 ///   (M/dt + R + D) V(n+1) = M V(n)/dt + F_contact(x(n)) + D u_mean + R (image velocities),  x(n+1) = x(n) + dt V(n+1).
-/// First order. The system is symmetric positive; `residual` is formed from the physical forces at a guess of V(n+1), so
-/// that image velocities, drag and walls enter once, as forces. The step is bound by the contacts, not by the films.
+/// First order. The system is symmetric positive; `residual` is formed from the physical forces at a guess of V(n+1),
+/// so that image velocities, drag and walls enter once, as forces. The step is bound by the contacts, not by the films.
 #include <string_view>
 
 #include "stresslet/simulation/schemes/implicit_solve.hpp"

@@ -1,4 +1,4 @@
-# Version, commit and flags of the build, in the header stresslet_build.hpp that only io/provenance.cpp includes.
+# Version, commit and flags of the build, in the header stresslet/io/build.hpp that only io/provenance.cpp includes.
 #
 # Included by the top CMakeLists.txt it defines `stresslet_provenance(<target>)`. Run as a script at every build
 # (cmake -P) it writes the header, touching it only when its content changes: a new commit recompiles one file.
@@ -38,9 +38,9 @@ inline constexpr const char* type = "@CMAKE_BUILD_TYPE@";
 inline constexpr const char* flags = "@flags@";
 }  // namespace stresslet::build
 ]])
-  add_custom_target(stresslet_commit BYPRODUCTS "${folder}/stresslet_build.hpp" VERBATIM
+  add_custom_target(stresslet_commit BYPRODUCTS "${folder}/stresslet/io/build.hpp" VERBATIM
                     COMMAND ${CMAKE_COMMAND} -D SOURCE_DIR=${PROJECT_SOURCE_DIR} -D TEMPLATE=${folder}/template.hpp
-                            -D HEADER=${folder}/stresslet_build.hpp -P ${STRESSLET_PROVENANCE_SCRIPT}
+                            -D HEADER=${folder}/stresslet/io/build.hpp -P ${STRESSLET_PROVENANCE_SCRIPT}
                     COMMENT "")
   add_dependencies(${target} stresslet_commit)
   target_include_directories(${target} PRIVATE "${folder}")

@@ -5,7 +5,7 @@
 #include <ctime>
 #include <utility>
 
-#include "stresslet_build.hpp"
+#include "stresslet/io/build.hpp"
 
 namespace stresslet {
 

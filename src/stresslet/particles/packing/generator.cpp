@@ -20,7 +20,7 @@ constexpr double beyond_estimate = 0.025;  // above the estimate by more than th
 constexpr int most_relaxation_steps = 30000, most_compactions = 24;
 constexpr double agitation_room = 0.03;      // shrinkage that lets a jammed packing rearrange
 constexpr double compaction_stride = 0.004;  // in solid fraction
-constexpr int sweeps_to_compact = 500, sweeps_to_equilibrate = 60;
+constexpr int sweeps_to_compact = 500, sweeps_to_equilibrate = 800;
 constexpr double skin = 0.25;  // in mean diameters
 
 std::vector<double> diameters_of(const std::vector<SizeClassed>& sizes) {

@@ -46,8 +46,9 @@ void check(const std::vector<SizeClassed>& sizes, const PackingRequest& request)
 
 Complaint beyond_reach(double wanted, const std::string& reached, double estimate) {
   return {"", fmt::format("solid fraction {:.4g} is out of reach: {}", wanted, reached),
-          fmt::format("spheres of these sizes jam at random near {:.3f} (random close packing)", estimate),
-          "lower the solid fraction or widen the size distribution; walls lower what can be reached"};
+          fmt::format("spheres of these sizes jam at random near {:.3f} (random close packing), between walls lower",
+                      estimate),
+          "lower the solid fraction or widen the size distribution"};
 }
 
 /// The box and, at random, the centres.

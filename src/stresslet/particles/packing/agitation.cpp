@@ -7,7 +7,15 @@ namespace stresslet {
 namespace {
 
 constexpr double wanted_acceptance = 1.0 / 3;
-constexpr double first_move = 0.05, shortest_move = 1e-6, longest_move = 0.3, skin = 0.25;  // in mean diameters
+constexpr double first_move = 0.05, shortest_move = 1e-6;  // in mean diameters
+constexpr double least_skin = 0.25;                        // in mean diameters
+constexpr double longest_move = 0.25;  // in skins: along all axes less than half of one, so that lists last a while
+
+/// A skin that grows with the free space between spheres, in mean diameters.
+double skin_of(const Spheres& spheres) {
+  const double solid_fraction = spheres.solid_volume() / spheres.box.volume();
+  return std::max(least_skin, 0.5 * std::cbrt(0.64 / solid_fraction) - 0.5);
+}
 
 bool is_free(const Spheres& spheres, const NearList& near, std::size_t i, const Vec3<double>& p, double inflation) {
   const double a = inflation * spheres.radius[i];
@@ -25,7 +33,8 @@ bool is_free(const Spheres& spheres, const NearList& near, std::size_t i, const 
 
 void agitate(Spheres& spheres, double inflation, int sweeps, Random& random) {
   const double diameter = spheres.mean_diameter();
-  NearList near(skin * diameter);
+  const double skin = skin_of(spheres) * diameter;
+  NearList near(skin);
   near.build(spheres, inflation);
   double move = first_move * diameter;
   for (int sweep = 0; sweep < sweeps; ++sweep) {
@@ -42,7 +51,7 @@ void agitate(Spheres& spheres, double inflation, int sweeps, Random& random) {
     }
     const double acceptance = double(accepted) / double(spheres.size());
     move = std::clamp(move * std::clamp(acceptance / wanted_acceptance, 0.7, 1.4), shortest_move * diameter,
-                      longest_move * diameter);
+                      longest_move * skin);
   }
 }
 

@@ -8,7 +8,7 @@
 namespace stresslet {
 
 /// Runs `sweeps` sweeps at `inflation`, at which the spheres are free of overlap before and after. The length of the
-/// moves is adapted from sweep to sweep so that a third is accepted.
+/// moves is adapted from sweep to sweep so that a third is accepted, up to a limit that dilute systems reach.
 void agitate(Spheres& spheres, double inflation, int sweeps, Random& random);
 
 }  // namespace stresslet

@@ -20,7 +20,7 @@ constexpr double beyond_estimate = 0.025;  // above the estimate by more than th
 constexpr int most_relaxation_steps = 30000, most_compactions = 24;
 constexpr double agitation_room = 0.03;      // shrinkage that lets a jammed packing rearrange
 constexpr double compaction_stride = 0.004;  // in solid fraction
-constexpr int sweeps_to_compact = 500, sweeps_to_equilibrate = 60;
+constexpr int sweeps_to_compact = 500, sweeps_to_equilibrate = 800;
 constexpr double skin = 0.25;  // in mean diameters
 
 std::vector<double> diameters_of(const std::vector<SizeClassed>& sizes) {
@@ -46,8 +46,9 @@ void check(const std::vector<SizeClassed>& sizes, const PackingRequest& request)
 
 Complaint beyond_reach(double wanted, const std::string& reached, double estimate) {
   return {"", fmt::format("solid fraction {:.4g} is out of reach: {}", wanted, reached),
-          fmt::format("spheres of these sizes jam at random near {:.3f} (random close packing)", estimate),
-          "lower the solid fraction or widen the size distribution; walls lower what can be reached"};
+          fmt::format("spheres of these sizes jam at random near {:.3f} (random close packing), between walls lower",
+                      estimate),
+          "lower the solid fraction or widen the size distribution"};
 }
 
 /// The box and, at random, the centres.

@@ -4,6 +4,7 @@
 #include <sys/wait.h>
 
 #include <chrono>
+#include <cstdlib>
 #include <fstream>
 #include <random>
 #include <thread>
@@ -124,6 +125,19 @@ TEST(ResultsFolder, OnlyTheChosenFilesAreWritten) {
   std::size_t files = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder.path())) files += entry.is_regular_file();
   EXPECT_EQ(files, 1u);
+}
+
+TEST(ResultsFolder, OpensInPythonAndEveryXdmfReferenceHolds) {
+  const TemporaryFolder folder;
+  ResultsFolder results = start(folder.path());
+  for (std::size_t k = 0; k < 3; ++k) add_interval(results, k);
+  results.commit(checkpoint(0));
+  const std::string command =
+      "/usr/bin/python3 " STRESSLET_SOURCE_DIR "/tests/unit/output_opens_elsewhere.py " + folder.path().string();
+  const int status = std::system(command.c_str());
+  if (WIFEXITED(status) && (WEXITSTATUS(status) == 77 || WEXITSTATUS(status) == 127))
+    GTEST_SKIP() << "needs /usr/bin/python3 with python3-h5py";
+  EXPECT_EQ(status, 0);
 }
 
 /// Commits for ever, and after each commit tells the parent its number.

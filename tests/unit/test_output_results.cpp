@@ -4,6 +4,7 @@
 #include <bit>
 #include <fstream>
 #include <limits>
+#include <random>
 
 #include "output_samples.hpp"
 #include "stresslet/base/error.hpp"
@@ -217,6 +218,33 @@ TEST(ResultsFile, DamagedSnapshotIsRefused) {
   std::ofstream(folder / "results.h5", std::ios::binary) << content;
   EXPECT_THAT(message_of([&] { ResultsReader(folder / "results.h5").snapshot(0); }),
               AllOf(HasSubstr("damaged"), HasSubstr("/snapshots/000000/position"), HasSubstr("fix:")));
+}
+
+TEST(ResultsFile, FlippedBitsNeverGiveWrongNumbers) {
+  const TemporaryFolder folder;
+  write_three(folder / "results.h5");
+  const std::string whole = read_whole_file(folder / "results.h5");
+  std::mt19937 random(11);
+  std::uniform_int_distribution<std::size_t> byte(0, whole.size() - 1);
+  std::uniform_int_distribution<int> bit(0, 7);
+  int refused = 0;
+  for (int trial = 0; trial < 400; ++trial) {
+    std::string damaged = whole;
+    const std::size_t place = byte(random);
+    damaged[place] = char(damaged[place] ^ (1 << bit(random)));
+    std::ofstream(folder / "damaged.h5", std::ios::binary) << damaged;
+    try {
+      const ResultsReader reader(folder / "damaged.h5");
+      ASSERT_EQ(reader.sample_count(), 6u) << place;
+      for (std::size_t k = 0; k < 6; ++k) ASSERT_EQ(reader.series("strain")[k], sample(k)[0]) << place;
+      for (std::size_t k = 0; k < 3; ++k) expect_same(reader.snapshot(k), snapshot(k));
+      ASSERT_EQ(reader.checkpoint(), checkpoint(2)) << place;
+    } catch (const InputError&) {
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 20);  // most bytes of so small a file are unused parts of chunks, or text
+  EXPECT_LT(refused, 400);
 }
 
 TEST(ResultsFile, UnwritableTargetKeepsWhatWasCollected) {

@@ -20,7 +20,8 @@ using Json = nlohmann::json;
 
 /// Runs the small case with changes and returns its summary.
 Json summary_of(const Workplace& place, const std::string& name, const std::vector<std::string>& assignments) {
-  const Outcome outcome = stresslet(run_arguments(place.write(name + ".toml", small_case()), place / name, assignments));
+  const Outcome outcome =
+      stresslet(run_arguments(place.write(name + ".toml", small_case()), place / name, assignments));
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   return Json::parse(content_of(place / name + "/summary.json"));
 }
@@ -140,8 +141,7 @@ TEST(Run, StandardOutputHoldsTheResultAndQuietSilencesTheRest) {
 
 TEST(Run, PlanAndPlainProgressLinesWhenNotATerminal) {
   const Workplace place;
-  const Outcome outcome =
-      stresslet({"run", place.write("case.toml", small_case()), "--output", place / "results"});
+  const Outcome outcome = stresslet({"run", place.write("case.toml", small_case()), "--output", place / "results"});
   EXPECT_THAT(outcome.err, HasSubstr("bound by"));
   EXPECT_EQ(outcome.err.find('\r'), std::string::npos);
   EXPECT_EQ(outcome.err.find('\x1b'), std::string::npos);
@@ -182,8 +182,8 @@ INSTANTIATE_TEST_SUITE_P(
                {"flow.boundary=walls", "time.scheme=explicit", "run.strain=0.005", "run.average_from=0.002"}},
         Choice{"Periodic", {"flow.boundary=periodic"}},
         Choice{"PeriodicInertialess", {"flow.boundary=periodic", "time.scheme=inertialess"}},
-        Choice{"Monodisperse", {"suspension.sizes.law=monodisperse", "suspension.sizes.diameters=",
-                                "suspension.sizes.volume_shares="}},
+        Choice{"Monodisperse",
+               {"suspension.sizes.law=monodisperse", "suspension.sizes.diameters=", "suspension.sizes.volume_shares="}},
         Choice{"Lognormal",
                {"suspension.sizes.law=lognormal", "suspension.sizes.median_diameter=1", "suspension.sizes.sigma=0.2",
                 "suspension.sizes.smallest=0.7", "suspension.sizes.largest=1.4"}},
@@ -250,8 +250,9 @@ TEST(Run, StartsFromCsvWithABox) {
   }
   const std::string csv = place.write("start.csv", rows);
   const Json summary =
-      summary_of(place, "results", {"suspension.solid_fraction=", "suspension.count=", "suspension.seed=",
-                                    "suspension.file=" + csv, "suspension.box=[4, 4, 4]"});
+      summary_of(place, "results",
+                 {"suspension.solid_fraction=", "suspension.count=", "suspension.seed=", "suspension.file=" + csv,
+                  "suspension.box=[4, 4, 4]"});
   EXPECT_EQ(summary["particles"], 27);
   EXPECT_NEAR(summary["solid_fraction"].get<double>(), 27 * M_PI / 6 / 64, 1e-12);
 }

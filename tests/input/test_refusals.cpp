@@ -60,7 +60,7 @@ INSTANTIATE_TEST_SUITE_P(
               {"contact.stiffness=1e5", "contact.largest_overlap=0.01"},
               "--set",
               "both contact.stiffness and contact.largest_overlap"},
-        Wrong{"OverdeterminedStart", {"suspension.file=\"start.csv\""}, "--set", "both suspension.file and"},
+        Wrong{"OverdeterminedStart", {"suspension.file=\"start.csv\""}, "", "both suspension.file and"},
         Wrong{"SolidFractionOutOfReach",
               {"suspension.solid_fraction=0.8"},
               "--set suspension.solid_fraction=0.8",
@@ -184,7 +184,8 @@ TEST_F(RefusalBesideResults, RestartWithAWrongValue) {
 
 TEST_F(RefusalBesideResults, RestartOfADamagedFile) {
   const std::string whole = content_of(results("results.h5"));
-  for (const std::size_t size : {std::size_t(0), std::size_t(5), std::size_t(100), whole.size() / 2, whole.size() - 1}) {
+  for (const std::size_t size :
+       {std::size_t(0), std::size_t(5), std::size_t(100), whole.size() / 2, whole.size() - 1}) {
     std::ofstream(results("results.h5"), std::ios::binary) << whole.substr(0, size);
     expect_refused(stresslet(restart_arguments(results_, {"run.strain=0.1"})), results("results.h5"), "");
   }
@@ -255,8 +256,7 @@ TEST_F(RefusalOfAStart, WrongFiles) {
   expect_refused(no_frame, file_ + ":1: ", "");
   const Outcome cut = run_with("start.xyz", "3\nProperties=pos:R:3:radius:R:1\n1 2 2 0.5\n");
   expect_refused(cut, file_, "");
-  const Outcome not_a_number =
-      run_with("start.xyz", "2\nProperties=pos:R:3:radius:R:1\n1 2 2 0.5\n4 nan 2 0.5\n");
+  const Outcome not_a_number = run_with("start.xyz", "2\nProperties=pos:R:3:radius:R:1\n1 2 2 0.5\n4 nan 2 0.5\n");
   expect_refused(not_a_number, file_ + ":4: ", "nan");
 }
 

@@ -2,6 +2,7 @@
 /// Starts the real program as a user does: own process, exit code, both output streams, signals.
 #include <fcntl.h>
 #include <signal.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -52,6 +53,7 @@ inline std::string content_of(const std::filesystem::path& file) {
 struct Outcome {
   int code = 0;  ///< exit code, or 128 + signal
   std::string out, err;
+  double peak_bytes = 0;  ///< largest resident memory
 };
 
 /// A process; killed and waited for if the test leaves it running.
@@ -80,9 +82,11 @@ class Process {
 
   Outcome wait() {
     int status = 0;
-    ::waitpid(id_, &status, 0);
+    rusage usage{};
+    ::wait4(id_, &status, 0, &usage);
     id_ = 0;
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), content_of(out_), content_of(err_)};
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), content_of(out_), content_of(err_),
+            1024.0 * double(usage.ru_maxrss)};
   }
 
   /// Waits until `condition` holds or the process has ended; returns whether it still runs.

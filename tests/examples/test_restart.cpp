@@ -157,7 +157,8 @@ TEST_P(LongRestart, AfterKillsAtRandomMoments) {
 
 INSTANTIATE_TEST_SUITE_P(Run, LongRestart,
                          ::testing::Values(Model{"SemiImplicit", {}}, Model{"Walls", {"flow.boundary=walls"}},
-                                           Model{"Explicit", {"time.scheme=explicit", "run.average_from=0.001"}, 0.004}),
+                                           Model{
+                                               "Explicit", {"time.scheme=explicit", "run.average_from=0.001"}, 0.004}),
                          [](const auto& test) { return std::string(test.param.name); });
 
 /// A finished run asked for more: the means then start where run.average_from says, as in one long run.

@@ -100,10 +100,11 @@ double volume_of(std::vector<double> radii) {
 double solid_fraction(const std::vector<double>& radii, const Box& box) { return volume_of(radii) / box.volume(); }
 
 double Plan::memory_bytes() const {
+  constexpr double program = 16e6;                           // code, libraries, buffers
   constexpr double per_particle = 900, per_candidate = 330;  // arrays of Suspension, by count of their entries
   const double reach = 2 * skin / (2 * *std::max_element(radii.begin(), radii.end()));
   const double candidates = double(count()) * (4 + 40 * solid_fraction * reach);
-  return per_particle * double(count()) + per_candidate * candidates;
+  return program + per_particle * double(count()) + per_candidate * candidates;
 }
 
 double Plan::expected_seconds(double strain) const {

@@ -21,7 +21,7 @@ std::vector<std::string> example_names() {
 class Example : public ::testing::TestWithParam<std::string> {
  protected:
   std::string file(const std::string& name) const {
-    return STRESSLET_SOURCE_DIR "/examples/" + GetParam() + "/" + name;
+    return (std::filesystem::path(STRESSLET_SOURCE_DIR) / "examples" / GetParam() / name).string();
   }
 
   void run_and_check(const std::vector<std::string>& assignments, bool quick) const {
@@ -68,7 +68,7 @@ TEST(ExampleCheck, NoticesAWrongSummary) {
   std::string summary = content_of(place / "results/summary.json");
   const std::string key = "\"stresslet\": {\n      \"mean\": 1.";
   ASSERT_NE(summary.find(key), std::string::npos);
-  summary.replace(summary.find(key) + key.size() - 2, 1, "2");
+  summary[summary.find(key) + key.size() - 2] = '2';
   place.write("results/summary.json", summary);
   EXPECT_EQ(Process({"python3", folder + "check.py", place / "results", "--quick"}).wait().code, 1);
 }

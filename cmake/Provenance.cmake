@@ -41,7 +41,7 @@ inline constexpr const char* flags = "@flags@";
   add_custom_target(stresslet_commit BYPRODUCTS "${folder}/stresslet/io/build.hpp" VERBATIM
                     COMMAND ${CMAKE_COMMAND} -D SOURCE_DIR=${PROJECT_SOURCE_DIR} -D TEMPLATE=${folder}/template.hpp
                             -D HEADER=${folder}/stresslet/io/build.hpp -P ${STRESSLET_PROVENANCE_SCRIPT}
-                    COMMENT "")
+                    COMMENT "Noting the commit of this build")
   add_dependencies(${target} stresslet_commit)
   target_include_directories(${target} PRIVATE "${folder}")
 endfunction()

@@ -19,6 +19,8 @@ Handle access_properties() {
   Handle list(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "make a property list");
   check(H5Pset_libver_bounds(list, H5F_LIBVER_V110, H5F_LIBVER_V110), "set a property");
   check(H5Pset_fclose_degree(list, H5F_CLOSE_STRONG), "set a property");
+  // Only files that nobody else knows of are written, and some network file systems cannot lock.
+  check(H5Pset_file_locking(list, false, true), "set a property");
   return list;
 }
 

@@ -15,6 +15,8 @@ static_assert(std::same_as<hid_t, std::int64_t>);
 class Silence {
  public:
   Silence() {
+    // Every file is closed by its owner; at exit HDF5 would only print about files it failed to open.
+    [[maybe_unused]] static const herr_t once = H5dont_atexit();
     H5Eget_auto2(H5E_DEFAULT, &print_, &data_);
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   }

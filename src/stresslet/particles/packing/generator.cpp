@@ -20,7 +20,7 @@ constexpr double beyond_estimate = 0.025;  // above the estimate by more than th
 constexpr int most_relaxation_steps = 30000, most_compactions = 24;
 constexpr double agitation_room = 0.03;      // shrinkage that lets a jammed packing rearrange
 constexpr double compaction_stride = 0.004;  // in solid fraction
-constexpr int sweeps_to_compact = 500, sweeps_to_equilibrate = 800;
+constexpr int sweeps_to_compact = 500;
 constexpr double skin = 0.25;  // in mean diameters
 
 std::vector<double> diameters_of(const std::vector<SizeClassed>& sizes) {
@@ -135,7 +135,7 @@ Packing generate_packing(const std::vector<SizeClassed>& sizes, const PackingReq
   Random random(request.seed);
   Spheres spheres = scatter(sizes, request, random);
   const double inflation = separate(spheres, request.solid_fraction, estimate, random, progress);
-  agitate(spheres, inflation, sweeps_to_equilibrate, random);
+  agitate(spheres, inflation, request.sweeps, random);
 
   Packing packing{spheres.box, {}};
   ParticleState& state = packing.state;

@@ -97,7 +97,7 @@ SymTensor3<R> identity3() {
 
 /// Inverse of a regular tensor.
 template <class R>
-SymTensor3<R> inverse(const SymTensor3<R>& a) {
+inline SymTensor3<R> inverse(const SymTensor3<R>& a) {
   const SymTensor3<R> adjugate{a.yy * a.zz - a.yz * a.yz, a.xx * a.zz - a.xz * a.xz, a.xx * a.yy - a.xy * a.xy,
                                a.xz * a.yz - a.xy * a.zz, a.xy * a.yz - a.xz * a.yy, a.xy * a.xz - a.xx * a.yz};
   const R determinant = a.xx * adjugate.xx + a.xy * adjugate.xy + a.xz * adjugate.xz;

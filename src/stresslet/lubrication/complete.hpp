@@ -18,7 +18,7 @@ struct Complete {
   static constexpr bool sees_background = false;
 
   template <class R>
-  static PairResistance<R> resistance(const R& a1, const R& a2, const R& gap) {
+  [[gnu::always_inline]] static PairResistance<R> resistance(const R& a1, const R& a2, const R& gap) {
     const R l = a2 / a1;
     const R m = R(1) / (R(1) + l);
     const R m3 = m * m * m;

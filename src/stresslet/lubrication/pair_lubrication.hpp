@@ -31,9 +31,10 @@ class PairLubrication {
   /// Adds the wrench on one particle of the last `apply`.
   void add_to(std::size_t particle, const ActivePairs& pairs, Twist<double>& wrench) const {
     pairs.for_each_pair_of(particle, [&](std::size_t p, double sign) {
-      const double* w = &wrench_[wrench_stride * p];
-      wrench.linear += sign * Vec3<double>{w[0], w[1], w[2]};
-      wrench.angular += Vec3<double>{w[3], w[4], w[5]} - sign * Vec3<double>{w[6], w[7], w[8]};
+      constexpr std::size_t W = pack_width;
+      const double* w = &wrench_[wrench_size * (p - p % W) + p % W];
+      wrench.linear += sign * Vec3<double>{w[0], w[W], w[2 * W]};
+      wrench.angular += Vec3<double>{w[3 * W], w[4 * W], w[5 * W]} - sign * Vec3<double>{w[6 * W], w[7 * W], w[8 * W]};
     });
   }
 
@@ -43,13 +44,14 @@ class PairLubrication {
   double background_velocity(std::size_t p) const { return background_x_[p]; }
 
  private:
-  static constexpr std::size_t wrench_stride = 9;
+  static constexpr std::size_t wrench_size = 9;
 
   template <class Law>
   void update_range(Range range, const LubricationCutoffs& cutoffs, const ActivePairs& pairs, const Box& box);
 
   AlignedVector<double> X_, Y_, B_, C_, arm_, background_x_;
-  AlignedVector<double> wrench_;  ///< per pair: force on i, half sum and half difference of the torques
+  /// Per pair the force on i, half sum and half difference of the torques; nine packs for each pack of pairs.
+  AlignedVector<double> wrench_;
 };
 
 }  // namespace stresslet

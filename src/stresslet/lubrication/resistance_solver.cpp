@@ -39,18 +39,18 @@ void ResistanceSolver::factorise(Member& member, const ActivePairs& pairs, PairL
   }
 }
 
-void ResistanceSolver::precondition(std::size_t i, const TwistVector& residual) {
-  const Twist<double> r = residual.get(i);
-  preconditioned_.set(i, inverse_linear_[i] * r.linear, inverse_angular_[i] * r.angular);
-}
-
-ResistanceSolver::Products ResistanceSolver::products(const TwistVector& residual, std::size_t begin,
-                                                      std::size_t end) const {
+ResistanceSolver::Products ResistanceSolver::advance(std::size_t begin, std::size_t end, double length,
+                                                     TwistVector& velocity, TwistVector& residual) {
   Products sum;
   for (std::size_t i = begin; i < end; ++i) {
-    const Twist<double> r = residual.get(i), z = preconditioned_.get(i);
-    sum.preconditioned += dot(r.linear, z.linear) + dot(r.angular, z.angular);
-    sum.plain += dot(r.linear, r.linear) + inverse_radius_squared_[i] * dot(r.angular, r.angular);
+    const Twist<double> v = velocity.get(i), r = residual.get(i), p = direction_.get(i), q = image_.get(i);
+    const Vec3<double> force = r.linear - length * q.linear, torque = r.angular - length * q.angular;
+    velocity.set(i, v.linear + length * p.linear, v.angular + length * p.angular);
+    residual.set(i, force, torque);
+    const Vec3<double> linear = inverse_linear_[i] * force, angular = inverse_angular_[i] * torque;
+    preconditioned_.set(i, linear, angular);
+    sum.preconditioned += dot(force, linear) + dot(torque, angular);
+    sum.plain += dot(force, force) + inverse_radius_squared_[i] * dot(torque, torque);
   }
   return sum;
 }
@@ -75,30 +75,24 @@ SolverReport ResistanceSolver::solve(Member& member, const ActivePairs& pairs, P
                                      TwistVector& velocity, TwistVector& residual) {
   const std::size_t n = own_linear_.size();
   const Range mine = member.share(n, sum_chunk);
-  const auto residual_products = [&] {
-    return residual_sum_(member, n, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) precondition(i, residual);
-      return products(residual, begin, end);
-    });
+  const auto advance_all = [&](double length) {
+    return residual_sum_(
+        member, n, [&](std::size_t begin, std::size_t end) { return advance(begin, end, length, velocity, residual); });
   };
 
   SolverReport report;
-  Products now = residual_products();
+  Products now = advance_all(0.0);
   double weight = 0;
   while (std::sqrt(now.plain) > tolerance && report.iterations < largest_iteration) {
-    for (std::size_t k = twist_stride * mine.begin; k < twist_stride * mine.end; ++k)
-      direction_.data()[k] = preconditioned_.data()[k] + weight * direction_.data()[k];
+    double* __restrict p = direction_.data();
+    const double* __restrict z = preconditioned_.data();
+    for (std::size_t k = twist_stride * mine.begin; k < twist_stride * mine.end; ++k) p[k] = z[k] + weight * p[k];
     member.barrier();
     lubrication.apply<false>(member, pairs, direction_);
     const double curvature = direction_sum_(member, n, [&](std::size_t begin, std::size_t end) {
       return apply_and_project(begin, end, pairs, lubrication, walls);
     });
-    const double length = now.preconditioned / curvature;
-    for (std::size_t k = twist_stride * mine.begin; k < twist_stride * mine.end; ++k) {
-      velocity.data()[k] += length * direction_.data()[k];
-      residual.data()[k] -= length * image_.data()[k];
-    }
-    const Products next = residual_products();
+    const Products next = advance_all(now.preconditioned / curvature);
     weight = next.preconditioned / now.preconditioned;
     now = next;
     ++report.iterations;

@@ -46,8 +46,9 @@ class ResistanceSolver {
     }
   };
 
-  void precondition(std::size_t i, const TwistVector& residual);
-  Products products(const TwistVector& residual, std::size_t begin, std::size_t end) const;
+  /// velocity += length direction, residual -= length image, and the preconditioned residual of particles
+  /// [begin, end); returns their part of the scalar products.
+  Products advance(std::size_t begin, std::size_t end, double length, TwistVector& velocity, TwistVector& residual);
   double apply_and_project(std::size_t begin, std::size_t end, const ActivePairs& pairs,
                            const PairLubrication& lubrication, const WallFilms& walls);
   void remove_mean_residual(Member& member, TwistVector& velocity, const TwistVector& residual);

@@ -11,7 +11,7 @@ namespace stresslet {
 namespace {
 
 std::string line(const std::string& label, const std::string& value, const std::string& remark = {}) {
-  return fmt::format("  {:<28}{}\n", label, remark.empty() ? value : fmt::format("{:<18} {}", value, remark));
+  return fmt::format("  {:<28}{:<22} {}\n", label, value, remark);
 }
 
 std::string memory(double bytes) {
@@ -63,8 +63,9 @@ std::string time_lines(const Case& c, const Plan& p) {
   text += line("step", fmt::format("{:.3g} / gdot", p.time.step),
                fmt::format("{}; limit {:.3g}", c.time.step ? "as given" : "derived", b.largest));
   text += line("bound by", b.binding);
-  text += line("half period of a contact", fmt::format("{:.3g} / gdot", b.contact),
-               fmt::format("{:.0f} steps", b.contact / p.time.step));
+  if (b.contact > 0)
+    text += line("half period of a contact", fmt::format("{:.3g} / gdot", b.contact),
+                 fmt::format("{:.0f} steps", b.contact / p.time.step));
   if (b.film > 0)
     text += line("relaxation of a film", fmt::format("{:.3g} / gdot", b.film),
                  fmt::format("{:.2g} steps", b.film / p.time.step));

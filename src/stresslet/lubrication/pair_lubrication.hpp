@@ -1,9 +1,10 @@
 #pragma once
 /// Pair lubrication kernel: resistance coefficients of all active pairs, and the wrenches they exert for given twists.
 ///
-/// `apply` is the hot loop of every time scheme. Per pair it reads 9 coefficients and geometry values (72 B), 8 B of
-/// indices and two twists (128 B, mostly from cache), writes a wrench (72 B) and does about 130 flops; up to some 1e5
-/// particles the data stay in cache and the gather of twists bounds it.
+/// `update`, per pair: reads gap, distance, radii and image of the pair (40 B), writes 48 B, about 90 flops with one
+/// logarithm; bound by arithmetic. `apply`, the hot loop of every time scheme, per pair: reads 8 coefficients and
+/// geometry values (64 B; 72 B with `background`), 8 B of indices and two twists (128 B, mostly from cache), writes a
+/// wrench (72 B), 100 flops.
 #include <string>
 
 #include "stresslet/exec/thread_team.hpp"
@@ -16,6 +17,10 @@ namespace stresslet {
 
 class PairLubrication {
  public:
+  static constexpr double wrench_bytes = 72;
+  static constexpr double bytes_per_pair = 72 + wrench_bytes;  ///< of apply<false>, twists in cache
+  static constexpr double flops_per_pair = 100;                ///< of apply<false>
+
   void prepare(std::size_t capacity);
 
   /// Coefficients at the present positions. `law` is a name in LubricationLaws. All threads; ends with a barrier.

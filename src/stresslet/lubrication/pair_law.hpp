@@ -40,7 +40,8 @@ struct LubricatedMotion {
 };
 
 template <class R>
-LubricatedMotion<R> lubricated_motion(const Vec3<R>& e, const R& arm, const PairMotion<R>& m) {
+[[gnu::always_inline]] inline LubricatedMotion<R> lubricated_motion(const Vec3<R>& e, const R& arm,
+                                                                    const PairMotion<R>& m) {
   const R half(0.5);
   const R normal = dot(m.u, e);
   const Vec3<R> mean_spin = half * (m.w1 + m.w2);
@@ -49,7 +50,8 @@ LubricatedMotion<R> lubricated_motion(const Vec3<R>& e, const R& arm, const Pair
 
 /// Force and torques per unit viscosity. Rotating w_d x e back by e x gives the tangential part of w_d.
 template <class R>
-PairWrench<R> pair_wrench(const Vec3<R>& e, const R& arm, const PairResistance<R>& k, const PairMotion<R>& motion) {
+[[gnu::always_inline]] inline PairWrench<R> pair_wrench(const Vec3<R>& e, const R& arm, const PairResistance<R>& k,
+                                                        const PairMotion<R>& motion) {
   const LubricatedMotion<R> m = lubricated_motion(e, arm, motion);
   const R half(0.5);
   const Vec3<R> tangential = k.Y * m.sliding + k.B * m.counter_spin;

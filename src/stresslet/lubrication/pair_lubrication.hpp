@@ -17,9 +17,9 @@ namespace stresslet {
 
 class PairLubrication {
  public:
-  static constexpr double wrench_bytes = 72;
+  static constexpr double wrench_bytes = 128;
   static constexpr double bytes_per_pair = 72 + wrench_bytes;  ///< of apply<false>, twists in cache
-  static constexpr double flops_per_pair = 100;                ///< of apply<false>
+  static constexpr double flops_per_pair = 106;                ///< of apply<false>
 
   void prepare(std::size_t capacity);
 
@@ -35,11 +35,13 @@ class PairLubrication {
 
   /// Adds the wrench on one particle of the last `apply`.
   void add_to(std::size_t particle, const ActivePairs& pairs, Twist<double>& wrench) const {
+    double sum[twist_stride] = {wrench.linear.x,  wrench.linear.y,  wrench.linear.z,  0,
+                                wrench.angular.x, wrench.angular.y, wrench.angular.z, 0};
     pairs.for_each_pair_of(particle, [&](std::size_t p, double sign) {
-      const double* w = &wrench_[wrench_stride * p];
-      wrench.linear += sign * Vec3<double>{w[0], w[1], w[2]};
-      wrench.angular += Vec3<double>{w[3], w[4], w[5]} - sign * Vec3<double>{w[6], w[7], w[8]};
+      const double* w = (sign > 0 ? on_first_ : on_second_)[p];
+      for (std::size_t c = 0; c < twist_stride; ++c) sum[c] += w[c];
     });
+    wrench = {{sum[0], sum[1], sum[2]}, {sum[4], sum[5], sum[6]}};
   }
 
   PairResistance<double> resistance(std::size_t p) const { return {X_[p], Y_[p], B_[p], C_[p]}; }
@@ -48,13 +50,11 @@ class PairLubrication {
   double background_velocity(std::size_t p) const { return background_x_[p]; }
 
  private:
-  static constexpr std::size_t wrench_stride = 9;
-
   template <class Law>
   void update_range(Range range, const LubricationCutoffs& cutoffs, const ActivePairs& pairs, const Box& box);
 
   AlignedVector<double> X_, Y_, B_, C_, arm_, background_x_;
-  AlignedVector<double> wrench_;  ///< per pair: force on i, half sum and half difference of the torques
+  TwistVector on_first_, on_second_;  ///< [pair] force and torque on i and on j
 };
 
 }  // namespace stresslet

@@ -1,10 +1,12 @@
 #pragma once
 /// SIMD pack of doubles for law functions templated on the value type, and the few operations the standard pack
 /// lacks. `Pack` is the widest register of the target; arrays of pairs are padded to multiples of `pack_width`.
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <experimental/simd>
+#include <utility>
 
 namespace stresslet {
 
@@ -22,6 +24,28 @@ inline Pack gather(const double* base, const std::int32_t* index, std::size_t st
 
 inline Pack load(const double* p) { return Pack(p, stdx::vector_aligned); }
 inline void store(double* p, const Pack& v) { v.copy_to(p, stdx::vector_aligned); }
+
+namespace detail {
+
+template <std::size_t block, std::size_t... k>
+void swap_blocks(Pack& low, Pack& high, std::index_sequence<k...>) {
+  typedef double Register __attribute__((vector_size(sizeof(Pack))));
+  const Register a = std::bit_cast<Register>(low), b = std::bit_cast<Register>(high);
+  low = std::bit_cast<Pack>(__builtin_shufflevector(a, b, int(k & block ? pack_width + k - block : k)...));
+  high = std::bit_cast<Pack>(__builtin_shufflevector(a, b, int(k & block ? pack_width + k : k + block)...));
+}
+
+}  // namespace detail
+
+/// rows[r][k] <-> rows[k][r] for `pack_width` packs: blocks of 1, 2, 4 ... lanes change places between pairs of rows.
+template <std::size_t block = 1>
+inline void transpose(Pack* rows) {
+  if constexpr (block < pack_width) {
+    for (std::size_t r = 0; r < pack_width; ++r)
+      if (!(r & block)) detail::swap_blocks<block>(rows[r], rows[r + block], std::make_index_sequence<pack_width>());
+    transpose<2 * block>(rows);
+  }
+}
 
 /// Lane-wise choice: `mask ? a : b`; the scalar overload lets laws be written once.
 inline Pack select(const Pack::mask_type& mask, const Pack& a, const Pack& b) {

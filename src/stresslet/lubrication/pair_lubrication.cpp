@@ -6,7 +6,7 @@ namespace stresslet {
 
 void PairLubrication::prepare(std::size_t capacity) {
   for (auto* a : {&X_, &Y_, &B_, &C_, &arm_, &background_x_}) a->assign(padded(capacity), 0.0);
-  wrench_.assign(wrench_size * padded(capacity), 0.0);
+  on_first_.resize(padded(capacity)), on_second_.resize(padded(capacity));
 }
 
 template <class Law>
@@ -48,12 +48,8 @@ void PairLubrication::apply(Member& member, const ActivePairs& pairs, const Twis
     if constexpr (background) motion.u.x += load(&background_x_[p]);
     const PairResistance<Pack> k{load(&X_[p]), load(&Y_[p]), load(&B_[p]), load(&C_[p])};
     const PairWrench<Pack> w = pair_wrench(pairs.normal_pack(p), load(&arm_[p]), k, motion);
-    double* out = &wrench_[wrench_size * p];
-    for (const Pack& component : {w.force.x, w.force.y, w.force.z, w.half_sum.x, w.half_sum.y, w.half_sum.z,
-                                  w.half_difference.x, w.half_difference.y, w.half_difference.z}) {
-      store(out, component);
-      out += pack_width;
-    }
+    on_first_.scatter(p, w.force, w.half_sum - w.half_difference);
+    on_second_.scatter(p, -w.force, w.half_sum + w.half_difference);
   }
   member.barrier();
 }

@@ -1,9 +1,10 @@
 #pragma once
 /// Pair lubrication kernel: resistance coefficients of all active pairs, and the wrenches they exert for given twists.
 ///
-/// `apply` is the hot loop of every time scheme. Per pair it reads 9 coefficients and geometry values (72 B), 8 B of
-/// indices and two twists (128 B, mostly from cache), writes a wrench (72 B) and does about 130 flops; up to some 1e5
-/// particles the data stay in cache and the gather of twists bounds it.
+/// `update`, per pair: reads gap, distance, radii and image of the pair (40 B), writes 48 B, about 90 flops with one
+/// logarithm; bound by arithmetic. `apply`, the hot loop of every time scheme, per pair: reads 8 coefficients and
+/// geometry values (64 B; 72 B with `background`), 8 B of indices and two twists (128 B, mostly from cache), writes a
+/// wrench (72 B), 100 flops.
 #include <string>
 
 #include "stresslet/exec/thread_team.hpp"
@@ -16,6 +17,10 @@ namespace stresslet {
 
 class PairLubrication {
  public:
+  static constexpr double wrench_bytes = 128;
+  static constexpr double bytes_per_pair = 72 + wrench_bytes;  ///< of apply<false>, twists in cache
+  static constexpr double flops_per_pair = 106;                ///< of apply<false>
+
   void prepare(std::size_t capacity);
 
   /// Coefficients at the present positions. `law` is a name in LubricationLaws. All threads; ends with a barrier.
@@ -30,12 +35,13 @@ class PairLubrication {
 
   /// Adds the wrench on one particle of the last `apply`.
   void add_to(std::size_t particle, const ActivePairs& pairs, Twist<double>& wrench) const {
+    double sum[twist_stride] = {wrench.linear.x,  wrench.linear.y,  wrench.linear.z,  0,
+                                wrench.angular.x, wrench.angular.y, wrench.angular.z, 0};
     pairs.for_each_pair_of(particle, [&](std::size_t p, double sign) {
-      constexpr std::size_t W = pack_width;
-      const double* w = &wrench_[wrench_size * (p - p % W) + p % W];
-      wrench.linear += sign * Vec3<double>{w[0], w[W], w[2 * W]};
-      wrench.angular += Vec3<double>{w[3 * W], w[4 * W], w[5 * W]} - sign * Vec3<double>{w[6 * W], w[7 * W], w[8 * W]};
+      const double* w = (sign > 0 ? on_first_ : on_second_)[p];
+      for (std::size_t c = 0; c < twist_stride; ++c) sum[c] += w[c];
     });
+    wrench = {{sum[0], sum[1], sum[2]}, {sum[4], sum[5], sum[6]}};
   }
 
   PairResistance<double> resistance(std::size_t p) const { return {X_[p], Y_[p], B_[p], C_[p]}; }
@@ -44,14 +50,11 @@ class PairLubrication {
   double background_velocity(std::size_t p) const { return background_x_[p]; }
 
  private:
-  static constexpr std::size_t wrench_size = 9;
-
   template <class Law>
   void update_range(Range range, const LubricationCutoffs& cutoffs, const ActivePairs& pairs, const Box& box);
 
   AlignedVector<double> X_, Y_, B_, C_, arm_, background_x_;
-  /// Per pair the force on i, half sum and half difference of the torques; nine packs for each pack of pairs.
-  AlignedVector<double> wrench_;
+  TwistVector on_first_, on_second_;  ///< [pair] force and torque on i and on j
 };
 
 }  // namespace stresslet

@@ -12,6 +12,7 @@
 namespace stresslet {
 
 inline constexpr std::size_t twist_stride = 8;
+static_assert(twist_stride % pack_width == 0);
 
 template <class R>
 struct Twist {
@@ -39,13 +40,24 @@ class TwistVector {
   }
   void set(std::size_t i, const Twist<double>& t) { set(i, t.linear, t.angular); }
 
-  /// Twists of the particles index[0 ... pack_width).
+  /// Twists of the particles index[0 ... pack_width): whole lines are loaded and transposed in registers.
   Twist<Pack> gather(const std::int32_t* index) const {
-    const double* t = data_.data();
-    return {{stresslet::gather(t, index, twist_stride), stresslet::gather(t + 1, index, twist_stride),
-             stresslet::gather(t + 2, index, twist_stride)},
-            {stresslet::gather(t + 4, index, twist_stride), stresslet::gather(t + 5, index, twist_stride),
-             stresslet::gather(t + 6, index, twist_stride)}};
+    Pack column[twist_stride];
+    for (std::size_t c = 0; c < twist_stride; c += pack_width) {
+      for (std::size_t k = 0; k < pack_width; ++k) column[c + k] = load((*this)[std::size_t(index[k])] + c);
+      transpose(column + c);
+    }
+    return {{column[0], column[1], column[2]}, {column[4], column[5], column[6]}};
+  }
+
+  /// Sets the twists begin ... begin + pack_width - 1.
+  void scatter(std::size_t begin, const Vec3<Pack>& linear, const Vec3<Pack>& angular) {
+    const Pack zero = 0.0;
+    Pack column[twist_stride] = {linear.x, linear.y, linear.z, zero, angular.x, angular.y, angular.z, zero};
+    for (std::size_t c = 0; c < twist_stride; c += pack_width) {
+      transpose(column + c);
+      for (std::size_t k = 0; k < pack_width; ++k) store((*this)[begin + k] + c, column[c + k]);
+    }
   }
 
  private:

@@ -11,7 +11,7 @@ namespace stresslet {
 namespace {
 
 std::string line(const std::string& label, const std::string& value, const std::string& remark = {}) {
-  return fmt::format("  {:<28}{:<22} {}\n", label, value, remark);
+  return fmt::format("  {:<28}{}\n", label, remark.empty() ? value : fmt::format("{:<22} {}", value, remark));
 }
 
 std::string memory(double bytes) {

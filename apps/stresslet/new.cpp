@@ -22,6 +22,10 @@ void add_new(CLI::App& app, ExitCode&) {
     if (std::filesystem::exists(*file))
       throw InputError({*file, "the file exists already", "an input that somebody wrote must not be lost",
                         "choose another name, or remove it first"});
+    const std::filesystem::path folder = std::filesystem::absolute(*file).parent_path();
+    if (!std::filesystem::is_directory(folder))
+      throw InputError({*file, "the file cannot be written", "there is no folder " + folder.string(),
+                        "make the folder first, or choose another name"});
     replace_file(*file, new_case_template());
     fmt::print("{} written; next: stresslet check {}\n", *file, *file);
   });

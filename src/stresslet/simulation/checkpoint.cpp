@@ -74,7 +74,7 @@ void check_consistent(Suspension& s) {
   const std::size_t n = s.state.size();
   if (n == 0) refuse("no particles");
   const auto expect = [](bool good, const char* what) {
-    if (!good) refuse(std::string(what) + " has the wrong length or an index out of range");
+    if (!good) refuse(std::string(what) + " has the wrong length or a value out of range");
   };
   s.state.for_each_array([&](const char* name, auto& array) { expect(array.size() == n, name); });
   expect(s.list.j.size() == s.list.size() && s.history.x.size() == s.list.size() &&
@@ -89,6 +89,12 @@ void check_consistent(Suspension& s) {
          "the wall contact history");
   expect(s.change.array().size() == n * twist_stride, "the velocity change");
   for (double a : s.state.radius) expect(a > 0, "a radius");
+  for (double rho : s.state.density) expect(rho > 0, "a density");
+  std::vector<bool> seen(n, false);
+  for (std::int32_t id : s.state.id) {
+    expect(id >= 0 && std::size_t(id) < n && !seen[std::size_t(id)], "an id");
+    seen[std::size_t(id)] = true;
+  }
   expect(s.box.length.x > 0 && s.box.length.y > 0 && s.box.length.z > 0, "the box");
 }
 

@@ -100,10 +100,11 @@ double volume_of(std::vector<double> radii) {
 double solid_fraction(const std::vector<double>& radii, const Box& box) { return volume_of(radii) / box.volume(); }
 
 double Plan::memory_bytes() const {
+  constexpr double program = 16e6;                           // code, libraries, buffers
   constexpr double per_particle = 900, per_candidate = 330;  // arrays of Suspension, by count of their entries
   const double reach = 2 * skin / (2 * *std::max_element(radii.begin(), radii.end()));
   const double candidates = double(count()) * (4 + 40 * solid_fraction * reach);
-  return per_particle * double(count()) + per_candidate * candidates;
+  return program + per_particle * double(count()) + per_candidate * candidates;
 }
 
 double Plan::expected_seconds(double strain) const {
@@ -130,6 +131,7 @@ Plan make_plan(const Case& c, const Existing* existing) {
     plan.radii.assign(plan.loaded.radius.begin(), plan.loaded.radius.end());
   } else {
     plan.sizes = make_sizes(c);
+    check_reach(plan.sizes, *c.suspension.solid_fraction, c.where("suspension.solid_fraction"));
     for (const SizeClassed& s : plan.sizes) plan.radii.push_back(0.5 * s.diameter);
     const Vec3<double> aspect = c.suspension.box_aspect.value_or(Vec3<double>{1, 1, 1});
     const double volume = volume_of(plan.radii) / *c.suspension.solid_fraction;
@@ -163,11 +165,15 @@ Suspension make_suspension(const Case& c, const Plan& plan, const std::function<
     s.state = plan.loaded;
     return s;
   }
-  Packing packing = generate_packing(
-      plan.sizes,
-      {plan.box.kind, c.suspension.box_aspect.value_or(Vec3<double>{1, 1, 1}), *c.suspension.solid_fraction,
-       std::uint64_t(c.suspension.seed), plan.box.shear_rate, plan.density},
-      report);
+  PackingRequest request;
+  request.kind = plan.box.kind;
+  request.aspect = c.suspension.box_aspect.value_or(Vec3<double>{1, 1, 1});
+  request.solid_fraction = *c.suspension.solid_fraction;
+  request.seed = std::uint64_t(c.suspension.seed);
+  request.shear_rate = plan.box.shear_rate;
+  request.density = plan.density;
+  request.where = c.where("suspension.solid_fraction");
+  Packing packing = generate_packing(plan.sizes, request, report);
   s.state = std::move(packing.state);
   s.box = packing.box;
   return s;

@@ -44,6 +44,7 @@ struct Run {
   Progress progress;
   Timer wall, since_commit;
   std::int64_t first_step = 0;
+  double committed_strain = 0;
 
   RunCost cost() const {
     return {cost_before.wall_seconds + wall.seconds(),
@@ -67,8 +68,7 @@ void take_sample(Run& run) {
   check_finite(s);
   check_solver(s);
   const Sample m = sample(s, run.team);
-  run.results.add_sample(run.series.add(s.strain, m, s.physics.stresslet, double(run.plan.count()),
-                                        run.plan.solid_fraction, s.solver_report.iterations));
+  run.results.add_sample(run.series.add(s.strain, m, double(run.plan.count()), s.solver_report.iterations));
   if (s.box.shear_rate > 0) check_energy_balance(run.series, run.settled.run.monitor_tolerance);
   if (s.strain >= run.settled.run.average_from.value_or(profile_from_without_average) - strain_round_off)
     run.profile.add(s.state.y, s.state.ux, s.state.radius);
@@ -85,6 +85,16 @@ void commit(Run& run) {
   add_run_state(checkpoint, run.profile.sums(), run.cost());
   run.results.commit(checkpoint);
   run.since_commit.restart();
+  run.committed_strain = run.suspension.strain;
+}
+
+/// The first commit, before the first step: what cannot be written, or was damaged, is found before time is spent.
+void commit_before_running(Run& run) {
+  try {
+    commit(run);
+  } catch (const Error& error) {
+    throw InputError({"", error.what(), "", ""});
+  }
 }
 
 bool commit_due(const Run& run) {
@@ -157,9 +167,11 @@ ExitCode finish_or_explain(Run& run) {
     return finish(run);
   } catch (const NumericalFailure& failure) {
     run.progress.finish();
-    throw NumericalFailure({"", failure.what(), "",
-                            fmt::format("the last good state is kept: stresslet restart {} continues from it",
-                                        run.results.path().string())});
+    throw NumericalFailure(
+        {"",
+         fmt::format("{}\n  kept: the state at strain {:.6g}, from which 'stresslet restart {}' goes on",
+                     failure.what(), run.committed_strain, run.results.path().string()),
+         "", ""});
   }
 }
 
@@ -198,7 +210,7 @@ ExitCode run_case(const Case& settled, const RunOptions& options) {
   take_sample(run);
   check_explicit_stability(run);
   run.results.add_snapshot(make_snapshot(run.suspension));
-  commit(run);
+  commit_before_running(run);
   return finish_or_explain(run);
 }
 
@@ -235,6 +247,7 @@ ExitCode restart_run(const std::vector<std::string>& overrides, const RunOptions
           {}};
   run.first_step = run.suspension.steps;
   resume(run.suspension);
+  commit_before_running(run);
   return finish_or_explain(run);
 }
 

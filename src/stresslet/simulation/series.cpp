@@ -15,15 +15,15 @@ void for_each_component(const Stress& s, auto&& visit) {
 
 /// Visits (name, unit, description, value) of every column: the one list behind names and rows.
 template <class Visit>
-void for_each_quantity(double strain, const Sample& m, double stresslet_share, double energy_rate, double particles,
-                       double solver_iterations, Visit&& visit) {
+void for_each_quantity(double strain, const Sample& m, double energy_rate, double particles, double solver_iterations,
+                       Visit&& visit) {
   const Stress total = m.stress.total();
   visit("strain", "1", "shear strain", strain);
   visit("time", "1/shear_rate", "time", strain);
   visit("relative_viscosity", "1", "1 + sigma_xy of all parts", 1 + total.xy);
   visit("relative_viscosity_from_dissipation", "1",
         "1 + dissipation, stresslet and growth of stored energy over viscosity*shear_rate^2",
-        1 + stresslet_share + m.dissipation() + energy_rate);
+        1 + m.stress.stresslet.xy + m.dissipation() + energy_rate);
   visit("N1", stress_unit, "first normal stress difference, sigma_xx - sigma_yy", total.xx - total.yy);
   visit("N2", stress_unit, "second normal stress difference, sigma_yy - sigma_zz", total.yy - total.zz);
   visit("particle_pressure", stress_unit, "minus a third of the trace of the particles' stress", -trace(total) / 3);
@@ -54,7 +54,7 @@ void for_each_quantity(double strain, const Sample& m, double stresslet_share, d
 
 std::vector<Column> series_columns() {
   std::vector<Column> columns;
-  for_each_quantity(0, {}, 0, 0, 1, 0, [&](std::string name, std::string unit, std::string description, double) {
+  for_each_quantity(0, {}, 0, 1, 0, [&](std::string name, std::string unit, std::string description, double) {
     columns.push_back({std::move(name), std::move(unit), std::move(description)});
   });
   return columns;
@@ -73,15 +73,15 @@ const std::vector<double>& Series::operator[](const std::string& column) const {
 
 double Series::last(const std::string& column) const { return (*this)[column].back(); }
 
-const std::vector<double>& Series::add(double strain, const Sample& sample, bool stresslet, double particles,
-                                       double solid_fraction, double solver_iterations) {
+const std::vector<double>& Series::add(double strain, const Sample& sample, double particles,
+                                       double solver_iterations) {
   double energy_rate = 0;
   if (size() > 0) {
     const double before = last("elastic_energy") + last("kinetic_energy");
     energy_rate = (sample.elastic_energy + sample.kinetic_energy - before) / (strain - last("strain"));
   }
   row_.clear();
-  for_each_quantity(strain, sample, stresslet ? 2.5 * solid_fraction : 0.0, energy_rate, particles, solver_iterations,
+  for_each_quantity(strain, sample, energy_rate, particles, solver_iterations,
                     [&](const std::string&, const char*, const std::string&, double value) { row_.push_back(value); });
   restore(row_);
   return row_;

@@ -19,8 +19,7 @@ class Series {
 
   /// Appends a row made from a sample and returns it. `particles` counts them; relative viscosity from dissipation uses
   /// the energies of the row before.
-  const std::vector<double>& add(double strain, const Sample& sample, bool stresslet, double particles,
-                                 double solid_fraction, double solver_iterations);
+  const std::vector<double>& add(double strain, const Sample& sample, double particles, double solver_iterations);
   /// Appends a row read back from a file.
   void restore(const std::vector<double>& row);
 

@@ -44,8 +44,8 @@ void check(const std::vector<SizeClassed>& sizes, const PackingRequest& request)
     throw InputError({"", fmt::format("density {}", request.density), "masses are positive", "correct the density"});
 }
 
-Complaint beyond_reach(double wanted, const std::string& reached, double estimate) {
-  return {"", fmt::format("solid fraction {:.4g} is out of reach: {}", wanted, reached),
+Complaint beyond_reach(const std::string& where, double wanted, const std::string& reached, double estimate) {
+  return {where, fmt::format("solid fraction {:.4g} is out of reach: {}", wanted, reached),
           fmt::format("spheres of these sizes jam at random near {:.3f} (random close packing), between walls lower",
                       estimate),
           "lower the solid fraction or widen the size distribution"};
@@ -101,7 +101,8 @@ class Progress {
 };
 
 /// Moves the spheres apart until none overlap at inflation > 1, which is returned.
-double separate(Spheres& spheres, double solid_fraction, double estimate, Random& random, Progress& progress) {
+double separate(Spheres& spheres, const PackingRequest& request, double estimate, Random& random, Progress& progress) {
+  const double solid_fraction = request.solid_fraction;
   Relaxation relaxation(spheres, skin * spheres.mean_diameter());
   const auto fraction_at = [&](double inflation) { return solid_fraction * std::pow(inflation, 3); };
   const double wanted = 1 + margin;
@@ -116,25 +117,30 @@ double separate(Spheres& spheres, double solid_fraction, double estimate, Random
     goal = std::min(wanted, std::cbrt((fraction_at(reached) + compaction_stride) / solid_fraction));
   }
   throw InputError(
-      beyond_reach(solid_fraction,
+      beyond_reach(request.where, solid_fraction,
                    fmt::format("the closest packing found has {:.4f}", fraction_at(std::min(reached, 1.0))), estimate));
 }
 
 }  // namespace
 
+void check_reach(const std::vector<SizeClassed>& sizes, double solid_fraction, const std::string& where) {
+  const double estimate = random_close_packing(diameters_of(sizes));
+  if (solid_fraction > estimate + beyond_estimate)
+    throw InputError(
+        beyond_reach(where, solid_fraction, fmt::format("the largest is about {:.3f}", estimate), estimate));
+}
+
 Packing generate_packing(const std::vector<SizeClassed>& sizes, const PackingRequest& request,
                          const std::function<void(double)>& report) {
   check(sizes, request);
+  check_reach(sizes, request.solid_fraction, request.where);
   const double estimate = random_close_packing(diameters_of(sizes));
-  if (request.solid_fraction > estimate + beyond_estimate)
-    throw InputError(
-        beyond_reach(request.solid_fraction, fmt::format("the largest is about {:.3f}", estimate), estimate));
 
   Progress progress(report);
   progress.done(0);
   Random random(request.seed);
   Spheres spheres = scatter(sizes, request, random);
-  const double inflation = separate(spheres, request.solid_fraction, estimate, random, progress);
+  const double inflation = separate(spheres, request, estimate, random, progress);
   agitate(spheres, inflation, request.sweeps, random);
 
   Packing packing{spheres.box, {}};

@@ -14,6 +14,7 @@
 /// other, equally good configurations at high solid fractions, where relaxation amplifies the last bit.
 #include <cstdint>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "stresslet/particles/box.hpp"
@@ -29,13 +30,17 @@ struct PackingRequest {
   std::uint64_t seed = 1;
   double shear_rate = 1;
   double density = 1;
-  int sweeps = 20;  ///< Monte Carlo sweeps at the final size; 800 give the pair distribution of the hard-sphere fluid
+  int sweeps = 20;    ///< Monte Carlo sweeps at the final size; 800 give the pair distribution of the hard-sphere fluid
+  std::string where;  ///< place of the solid fraction in the input, for messages
 };
 
 struct Packing {
   Box box;              ///< volume from the solid fraction, offset zero
   ParticleState state;  ///< in the order of the sizes, id = index; carried by the mean flow
 };
+
+/// Throws InputError, at once, for a solid fraction far beyond random close packing.
+void check_reach(const std::vector<SizeClassed>& sizes, double solid_fraction, const std::string& where);
 
 /// `report` receives the part of the work done, 0 ... 1, ascending. Throws InputError for wrong parameters, for boxes
 /// shorter than two of the largest diameters, and for solid fractions beyond random close packing (at once where

@@ -84,7 +84,7 @@ void apply_and_add(Member& member, Suspension& s) {
 Work work_of_apply_and_add(const Suspension& s) {
   Work work = work_of_apply(s);
   const double pairs = double(s.pairs.size());
-  work.bytes += 2 * PairLubrication::wrench_bytes * pairs + 64 * double(s.state.size());
+  work.bytes += (PairLubrication::wrench_bytes + 4) * pairs + 64 * double(s.state.size());
   work.flops += 12 * pairs;
   return work;
 }

@@ -4,9 +4,10 @@ namespace stresslet {
 
 namespace {
 
-// Pauses, about 10 us: longer than most waits of a team that has its cores for itself. Then yields, which cost little
-// on idle cores and let other processes run on busy ones, and at last sleep.
-constexpr int pauses = 300, yields = 50;
+// Spins last some 3 us, about the imbalance between barriers; a longer spin wastes the time slice of the partner where
+// both share a core. Yields hand it over, and cost nothing on a core of one's own.
+constexpr int spins_before_yield = 100;
+constexpr int yields_before_sleep = 1000;
 
 void relax() {
 #if defined(__x86_64__)
@@ -16,12 +17,13 @@ void relax() {
 
 /// Returns once `word` differs from `seen`.
 void wait_for_change(const std::atomic<std::uint32_t>& word, std::uint32_t seen) {
-  for (int spin = 0; spin < pauses + yields; ++spin) {
+  for (int spin = 0; spin < spins_before_yield; ++spin) {
     if (word.load(std::memory_order_acquire) != seen) return;
-    if (spin < pauses)
-      relax();
-    else
-      std::this_thread::yield();
+    relax();
+  }
+  for (int yield = 0; yield < yields_before_sleep; ++yield) {
+    if (word.load(std::memory_order_acquire) != seen) return;
+    std::this_thread::yield();
   }
   while (word.load(std::memory_order_acquire) == seen) word.wait(seen, std::memory_order_acquire);
 }

@@ -3,7 +3,8 @@
 ///
 /// Work is split by `Member::share`, whose pieces depend on the number of threads; results must not. Kernels
 /// therefore write per item, or sum over chunks of fixed length (see `chunk_sum.hpp`), and never reduce per thread.
-/// The barrier spins briefly and then sleeps; it uses plain atomics so that the thread sanitizer understands it.
+/// The barrier spins briefly, then yields, then sleeps; it uses plain atomics so that the thread sanitizer understands
+/// it.
 #include <algorithm>
 #include <atomic>
 #include <cstddef>

@@ -28,7 +28,7 @@ ContactParameters springs(double stiffness) {
 }
 
 Sample sample_at_rest(const Box& box, const std::vector<Sphere>& spheres, double stiffness) {
-  ThreadTeam team(2);
+  ThreadTeam team(1);
   Suspension s = testing::small_system(box, spheres, testing::dry(springs(stiffness)),
                                        testing::time_control("explicit", 1e-9), 1.0);
   start(s, team);

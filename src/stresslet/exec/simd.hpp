@@ -12,7 +12,10 @@ namespace stresslet {
 
 namespace stdx = std::experimental;
 
-using Pack = stdx::native_simd<double>;
+template <class T>
+using PackOf = stdx::native_simd<T>;
+
+using Pack = PackOf<double>;
 inline constexpr std::size_t pack_width = Pack::size();
 
 inline constexpr std::size_t padded(std::size_t n) { return (n + pack_width - 1) / pack_width * pack_width; }

@@ -1,0 +1,137 @@
+#pragma once
+/// Pairs of memory places that must agree at the rim of a block.
+///
+/// In the arrangement `departing`, cell x reads its incoming population i at (x - c_i, slot opposite(i)), and writes
+/// the outgoing one j to (x + c_j, slot j). Where x + c_j lies in the halo, the same place serves both; these places
+/// are
+///   { (x + c_j, slot j) : x in the block, x + c_j in its halo }.
+/// Before the sweep such a place needs what comes in, afterwards it holds what goes out. Exchange between blocks,
+/// periodic faces and half-way walls are pairs (halo place, partner): copied partner -> halo before, halo -> partner
+/// after. For exchange the partner is the same cell and slot in the block that owns it; at a half-way wall it is slot
+/// opposite(j) of the cell x itself. Nothing is to be done in the arrangement `arrived`, whose sweeps stay within their
+/// cells.
+#include <vector>
+
+#include "stresslet/lattice/lattice.hpp"
+
+namespace stresslet {
+
+/// A box of halo places of one slot and their partners, which lie `to_partner` further on in block `partner_block`.
+struct LinkBox {
+  int block, partner_block;
+  int slot, partner_slot;
+  Cells first, last;  ///< halo places, coordinates in `block`, both ends included
+  Cells to_partner;   ///< coordinates in `partner_block` minus coordinates in `block`
+  double correction;  ///< added on the way, in both directions
+};
+
+/// Calls `visit(d, j, first, last)` for every region `d` of the halo and slot `j` with places in it.
+template <class Stencil, class Visit>
+void for_each_halo_box(const Cells& size, Visit&& visit) {
+  for (int code = 0; code < 27; ++code) {
+    const Cells d{code % 3 - 1, code / 3 % 3 - 1, code / 9 - 1};
+    if (d == Cells{0, 0, 0}) continue;
+    for (int j = 1; j < Stencil::size; ++j) {
+      const auto& c = Stencil::velocity[j];
+      Cells first, last;
+      bool some = true;
+      for (int a = 0; a < 3; ++a) {
+        if (d[a] != 0) {
+          some = some && c[a] == d[a];
+          first[a] = last[a] = d[a] > 0 ? size[a] : -1;
+        } else {
+          first[a] = c[a] > 0 ? 1 : 0;
+          last[a] = size[a] - (c[a] < 0 ? 2 : 1);
+          some = some && first[a] <= last[a];
+        }
+      }
+      if (some) visit(d, j, first, last);
+    }
+  }
+}
+
+/// Copies along link boxes. Reads and writes 2 values per place and sweep, once every second step.
+template <class Stencil, class T>
+class LinkBoundary : public Boundary<Stencil, T> {
+ public:
+  explicit LinkBoundary(std::vector<LinkBox> boxes) : boxes_(std::move(boxes)) {}
+
+  void before_sweep(Lattice<Stencil, T>& lattice, Member& member) override {
+    if (lattice.arrangement == Arrangement::departing)
+      copy(lattice, member, [](T* halo, T* partner) -> std::pair<T*, T*> { return {partner, halo}; });
+  }
+  void after_sweep(Lattice<Stencil, T>& lattice, Arrangement swept, Member& member) override {
+    if (swept == Arrangement::departing)
+      copy(lattice, member, [](T* halo, T* partner) -> std::pair<T*, T*> { return {halo, partner}; });
+  }
+
+ private:
+  template <class Direction>
+  void copy(Lattice<Stencil, T>& lattice, Member& member, Direction&& direction) {
+    for (const LinkBox& box : boxes_) {
+      const auto& halo = lattice.blocks[std::size_t(box.block)].populations;
+      const auto& partner = lattice.blocks[std::size_t(box.partner_block)].populations;
+      const T correction = T(box.correction);
+      const int count = box.last[0] - box.first[0] + 1, ny = box.last[1] - box.first[1] + 1;
+      const Range rows = member.share(std::size_t(ny) * std::size_t(box.last[2] - box.first[2] + 1));
+      for (std::size_t row = rows.begin; row < rows.end; ++row) {
+        const Cells at{box.first[0], box.first[1] + int(row) % ny, box.first[2] + int(row) / ny};
+        const Cells there{at[0] + box.to_partner[0], at[1] + box.to_partner[1], at[2] + box.to_partner[2]};
+        const auto [from, to] = direction(halo.slot(box.slot) + halo.layout().index(at),
+                                          partner.slot(box.partner_slot) + partner.layout().index(there));
+        if (correction == T(0))
+          std::copy_n(from, count, to);
+        else
+          for (int k = 0; k < count; ++k) to[k] = from[k] + correction;
+      }
+    }
+  }
+
+  std::vector<LinkBox> boxes_;
+};
+
+/// Links between blocks and across periodic faces.
+template <class Stencil>
+std::vector<LinkBox> exchange_links(const Grid& grid) {
+  const std::vector<BlockBox> boxes = block_boxes(grid);
+  std::vector<LinkBox> links;
+  for (int b = 0; b < int(boxes.size()); ++b)
+    for_each_halo_box<Stencil>(boxes[std::size_t(b)].size, [&](const Cells& d, int j, const Cells& first,
+                                                               const Cells& last) {
+      const Neighbour n = neighbour_of(grid, b, d);
+      if (n.kind != Neighbour::Kind::block) return;
+      Cells shift;
+      for (int a = 0; a < 3; ++a)
+        shift[a] = boxes[std::size_t(b)].origin[a] - n.wrap[a] * grid.size[a] - boxes[std::size_t(n.block)].origin[a];
+      links.push_back({b, n.block, j, j, first, last, shift, 0});
+    });
+  return links;
+}
+
+/// Half-way bounce-back at open faces. `moves(face_axis, side)` gives the velocity of the wall there, or nothing where
+/// the face is no such wall. In edges and corners the first wall in the order x, y, z counts.
+template <class Stencil, class WallVelocity>
+std::vector<LinkBox> half_way_links(const Grid& grid, WallVelocity&& moves) {
+  const std::vector<BlockBox> boxes = block_boxes(grid);
+  std::vector<LinkBox> links;
+  for (int b = 0; b < int(boxes.size()); ++b)
+    for_each_halo_box<Stencil>(boxes[std::size_t(b)].size, [&](const Cells& d, int j, const Cells& first,
+                                                               const Cells& last) {
+      const Neighbour n = neighbour_of(grid, b, d);
+      if (n.kind != Neighbour::Kind::open) return;
+      for (int a = 0; a < 3; ++a) {
+        if (n.wrap[a] == 0 || grid.closure[a] != Closure::open) continue;
+        if (const auto velocity = moves(a, d[a])) {
+          const auto& c = Stencil::velocity[j];
+          // What comes back is f_opposite(j) = f'_j - 2 w rho c_j.u / cs^2 with the rest density (Ladd, J. Fluid Mech.
+          // 271 (1994) 285, eq. 3.3).
+          const double along = c[0] * velocity->x + c[1] * velocity->y + c[2] * velocity->z;
+          links.push_back({b, b, j, opposite(j), first, last, {-c[0], -c[1], -c[2]}, -6 * Stencil::weight[j] * along});
+          return;
+        }
+      }
+    });
+  return links;
+}
+
+}  // namespace stresslet

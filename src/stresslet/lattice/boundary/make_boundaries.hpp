@@ -1,0 +1,11 @@
+#pragma once
+/// The boundaries of a fluid, in the order in which they act: exchange, sheared boundary, walls, solid cells, openings.
+#include "stresslet/lattice/fluid.hpp"
+#include "stresslet/lattice/step.hpp"
+
+namespace stresslet {
+
+template <class Stencil, class T>
+Boundaries<Stencil, T> make_boundaries(const FluidSetup& setup);
+
+}  // namespace stresslet

@@ -1,0 +1,33 @@
+#pragma once
+/// Velocity shift of Shan & Chen, Phys. Rev. E 47 (1993) 1815, eq. 9:  f' = f - Lambda (f - feq(v + tau F/rho)),
+/// v = sum f c / rho, 1/tau the rate of the odd populations. Leaves a spurious stress of order tau^2 F F / rho and is
+/// less accurate than the others at large relaxation times; kept because published work uses it.
+#include "stresslet/lattice/forcing/no_force.hpp"
+
+namespace stresslet {
+
+template <class Stencil, class R>
+class VelocityShiftCell {
+ public:
+  static constexpr bool adds = false;
+  VelocityShiftCell(const Moments<R>& m, const BodyForce<R>& force)
+      : equilibrium_(m.density_deviation, (m.momentum + force.density / force.odd_rate) / m.density()) {}
+
+  R rest_target() const { return equilibrium_.rest(); }
+  template <int i>
+  EvenOdd<R> target() const {
+    return equilibrium_.template pair<i>();
+  }
+
+ private:
+  Equilibrium<Stencil, R> equilibrium_;
+};
+
+struct VelocityShift {
+  static constexpr std::string_view name = "velocity-shift";
+  static constexpr std::string_view summary = "Shan & Chen 1993: equilibrium velocity shifted by tau F / rho";
+  template <class Stencil, class R>
+  using Cell = VelocityShiftCell<Stencil, R>;
+};
+
+}  // namespace stresslet

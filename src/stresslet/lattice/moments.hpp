@@ -1,0 +1,113 @@
+#pragma once
+/// What one cell holds, and its local equilibrium. Populations are stored as deviations from the rest state,
+/// f_i - w_i, which keeps the digits that single precision would lose against w_i.
+///
+/// Most laws work on pairs of opposite populations: `even` = f_i + f_opposite, `odd` = f_i - f_opposite, i the first of
+/// the pair. With them  sum f = f_0 + sum even,  sum f c = sum odd c.
+///
+/// Equilibrium, second order in the velocity (Qian, d'Humieres & Lallemand, Europhys. Lett. 17 (1992) 479):
+///   feq_i = w_i [rho + rho (3 c.u + 9/2 (c.u)^2 - 3/2 u^2)],   speed of sound squared 1/3.
+#include <array>
+
+#include "stresslet/base/unroll.hpp"
+#include "stresslet/base/value.hpp"
+#include "stresslet/base/vec3.hpp"
+#include "stresslet/lattice/stencil/velocity_set.hpp"
+
+namespace stresslet {
+
+template <class R>
+struct EvenOdd {
+  R even, odd;
+};
+
+/// The first population of pair `k`.
+constexpr int first_of_pair(int k) { return 2 * k + 1; }
+
+/// c_i . a, without multiplications.
+template <class Stencil, int i, class R>
+R along(const Vec3<R>& a) {
+  constexpr auto c = Stencil::velocity[i];
+  const auto add = [](const R& sum, const R& term, auto sign) {
+    if constexpr (sign.value > 0)
+      return R(sum + term);
+    else
+      return R(sum - term);
+  };
+  if constexpr (c[0] != 0) {
+    R sum = c[0] > 0 ? a.x : -a.x;
+    if constexpr (c[1] != 0) sum = add(sum, a.y, std::integral_constant<int, c[1]>{});
+    if constexpr (c[2] != 0) sum = add(sum, a.z, std::integral_constant<int, c[2]>{});
+    return sum;
+  } else if constexpr (c[1] != 0) {
+    R sum = c[1] > 0 ? a.y : -a.y;
+    if constexpr (c[2] != 0) sum = add(sum, a.z, std::integral_constant<int, c[2]>{});
+    return sum;
+  } else if constexpr (c[2] != 0) {
+    return c[2] > 0 ? a.z : -a.z;
+  } else {
+    return as<R>(0);
+  }
+}
+
+/// The populations of one cell, as the rest population and pairs.
+template <class Stencil, class R>
+struct CellPopulations {
+  R rest;
+  std::array<EvenOdd<R>, Stencil::pairs> pair;
+};
+
+/// Density over the rest state, and momentum density.
+template <class R>
+struct Moments {
+  R density_deviation;
+  Vec3<R> momentum;
+
+  R density() const { return as<R>(1) + density_deviation; }
+};
+
+template <class Stencil, class R>
+Moments<R> moments_of(const CellPopulations<Stencil, R>& f) {
+  Moments<R> m{f.rest, {as<R>(0), as<R>(0), as<R>(0)}};
+  unroll<Stencil::pairs>([&](auto k) {
+    constexpr auto c = Stencil::velocity[first_of_pair(k)];
+    const auto& [even, odd] = f.pair[k];
+    m.density_deviation += even;
+    if constexpr (c[0] > 0) m.momentum.x += odd;
+    if constexpr (c[1] > 0) m.momentum.y += odd;
+    if constexpr (c[1] < 0) m.momentum.y -= odd;
+    if constexpr (c[2] > 0) m.momentum.z += odd;
+    if constexpr (c[2] < 0) m.momentum.z -= odd;
+  });
+  return m;
+}
+
+/// Equilibrium of one cell, as deviations from the rest state.
+template <class Stencil, class R>
+class Equilibrium {
+ public:
+  Equilibrium(const R& density_deviation, const Vec3<R>& velocity)
+      : velocity_(velocity),
+        density_(as<R>(1) + density_deviation),
+        isotropic_(density_deviation - as<R>(1.5) * density_ * dot(velocity, velocity)) {}
+
+  R rest() const { return as<R>(Stencil::weight[0]) * isotropic_; }
+
+  /// Sum and difference of the pair whose first population is `i`.
+  template <int i>
+  EvenOdd<R> pair() const {
+    constexpr double w = Stencil::weight[i];
+    const R cu = along<Stencil, i>(velocity_);
+    const R density_cu = density_ * cu;
+    return {as<R>(2 * w) * (isotropic_ + as<R>(4.5) * (density_cu * cu)), as<R>(6 * w) * density_cu};
+  }
+
+  const Vec3<R>& velocity() const { return velocity_; }
+  const R& density() const { return density_; }
+
+ private:
+  Vec3<R> velocity_;
+  R density_, isotropic_;
+};
+
+}  // namespace stresslet

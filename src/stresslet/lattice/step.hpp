@@ -1,0 +1,44 @@
+#pragma once
+/// One time step of the fluid.
+#include "stresslet/lattice/lattice.hpp"
+#include "stresslet/lattice/sweep.hpp"
+
+namespace stresslet {
+
+template <class Stencil, class T>
+using Boundaries = std::vector<std::unique_ptr<Boundary<Stencil, T>>>;
+
+/// Fills what the next sweep reads from outside each block. Harmless to repeat.
+template <class Stencil, class T>
+void prepare_step(Lattice<Stencil, T>& lattice, const Boundaries<Stencil, T>& boundaries, Member& member) {
+  for (const auto& boundary : boundaries) {
+    boundary->before_sweep(lattice, member);
+    member.barrier();
+  }
+}
+
+/// Streams and collides every cell once. All members of the team call it; ends with a barrier.
+template <class Stencil, class T>
+void step(Lattice<Stencil, T>& lattice, Sweep<Stencil, T> sweep, const SweepInput& input,
+          const Boundaries<Stencil, T>& boundaries, Member& member) {
+  prepare_step(lattice, boundaries, member);
+  const Arrangement swept = lattice.arrangement;
+  for (const auto& block : lattice.blocks) {
+    const Range rows = member.share(block.populations.layout().rows());
+    sweep(block.populations, swept, input, rows.begin, rows.end);
+  }
+  member.barrier();
+  for (const auto& boundary : boundaries) boundary->look_after_sweep(lattice, member);
+  member.barrier();
+  for (const auto& boundary : boundaries) {
+    boundary->after_sweep(lattice, swept, member);
+    member.barrier();
+  }
+  if (member.rank() == 0) {
+    lattice.arrangement = other(swept);
+    ++lattice.steps;
+  }
+  member.barrier();
+}
+
+}  // namespace stresslet

@@ -6,6 +6,7 @@ declare -A packages=(
            libhdf5-dev libxxhash-dev libeigen3-dev nlohmann-json3-dev libpcg-cpp-dev libgtest-dev libgmock-dev"
   [test]="python3 python3-numpy python3-h5py"
   [bench]="libbenchmark-dev"
+  [fuzz]="clang libclang-rt-dev"
   [format]="clang-format"
   [layers]="python3"
   [quickstart]="python3 python3-numpy python3-h5py python3-matplotlib"

@@ -126,6 +126,13 @@ TEST(Refusal, OutputBelowAFile) {
   expect_refused(stresslet(run_arguments(input, input)), input, "cannot be made");
 }
 
+/// The kernel's own file system takes no folders, not even from root.
+TEST(Refusal, OutputWhereNobodyMayWrite) {
+  const Workplace place;
+  const std::string input = place.write("case.toml", small_case());
+  expect_refused(stresslet(run_arguments(input, "/proc/results")), "/proc/results", "cannot be made");
+}
+
 TEST(Refusal, OutputThatMayNotBeWritten) {
   if (::geteuid() == 0) GTEST_SKIP() << "root may write everywhere";
   const Workplace place;

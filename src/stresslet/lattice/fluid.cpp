@@ -24,9 +24,10 @@ class FluidOf : public Fluid {
         boundaries_(make_boundaries<Stencil, T>(setup)),
         sweep_(sweep_for<Stencil, T>(setup.collision, setup.forcing)),
         solid_(setup.solid) {
-    CollisionLaws::dispatch(setup.collision, [&](auto c) { input_.rates = decltype(c)::type::rates(setup.rates); });
+    CollisionLaws::dispatch(setup.collision,
+                            [&](auto c) { lattice_.input.rates = decltype(c)::type::rates(setup.rates); });
     ForcingLaws::dispatch(setup.forcing, [&](auto f) { state_of_ = state_of<Stencil, typename decltype(f)::type>; });
-    input_.force_density = {0, 0, 0};
+    lattice_.shear_velocity = setup.shear_velocity_lu;
   }
 
   const Grid& grid() const override { return lattice_.grid; }
@@ -37,18 +38,17 @@ class FluidOf : public Fluid {
     return sum;
   }
 
-  void set_force_density(const Vec3<double>& force_lu) override {
-    input_.force_density = lattice_.force_density = force_lu;
-  }
-  void set_shear_offset(double offset_lu) override { shear_offset_ = offset_lu; }
-  double shear_offset() const override { return shear_offset_; }
+  void set_force_density(const Vec3<double>& force_lu) override { lattice_.input.force_density = force_lu; }
+  void set_shear_offset(double offset_lu) override { lattice_.shear_offset = lattice_.departure_offset = offset_lu; }
+  double shear_offset() const override { return lattice_.shear_offset; }
 
   void initialise(ThreadTeam& team, const std::function<CellState(const Cells&)>& state) override {
     lattice_.arrangement = Arrangement::arrived;
     lattice_.steps = 0;
     const BodyForce<double> force = body_force();
     for_each_cell(team, [&](const auto& block, const Cells& global, std::size_t index) {
-      const auto f = populations_of<Stencil>(is_solid(global) ? CellState{} : state(global), input_.rates, force);
+      const auto f =
+          populations_of<Stencil>(is_solid(global) ? CellState{} : state(global), lattice_.input.rates, force);
       for (int i = 0; i < Stencil::size; ++i) block.populations.slot(i)[index] = T(f[i]);
     });
     for (const auto& boundary : boundaries_) boundary->initialise(lattice_);
@@ -56,7 +56,7 @@ class FluidOf : public Fluid {
 
   void advance(ThreadTeam& team, int steps) override {
     team.run([&](Member& member) {
-      for (int n = 0; n < steps; ++n) step(lattice_, sweep_, input_, boundaries_, member);
+      for (int n = 0; n < steps; ++n) step(lattice_, sweep_, boundaries_, member);
     });
   }
 
@@ -67,9 +67,9 @@ class FluidOf : public Fluid {
     for_each_cell(team, [&](const auto& block, const Cells& global, std::size_t index) {
       for (int a = 0; a < 3; ++a)
         if (global[a] < first[a] || global[a] > last[a] || (global[a] - first[a]) % stride[a] != 0) return;
-      visit(global, is_solid(global)
-                        ? CellState{}
-                        : state_of_(incoming(block.populations, lattice_.arrangement, index), input_.rates, force));
+      visit(global, is_solid(global) ? CellState{}
+                                     : state_of_(incoming(block.populations, lattice_.arrangement, index),
+                                                 lattice_.input.rates, force));
     });
   }
 
@@ -155,7 +155,7 @@ class FluidOf : public Fluid {
     return sum;
   }
   bool is_solid(const Cells& c) const { return !solid_.empty() && solid_[cell_number(c)]; }
-  BodyForce<double> body_force() const { return {input_.force_density, input_.rates.odd}; }
+  BodyForce<double> body_force() const { return {lattice_.input.force_density, lattice_.input.rates.odd}; }
 
   void prepare(ThreadTeam& team) {
     team.run([&](Member& member) { prepare_step(lattice_, boundaries_, member); });
@@ -177,9 +177,7 @@ class FluidOf : public Fluid {
   Boundaries<Stencil, T> boundaries_;
   Sweep<Stencil, T> sweep_;
   StateOf<Stencil> state_of_ = nullptr;
-  SweepInput input_;
   std::vector<std::uint8_t> solid_;
-  double shear_offset_ = 0;
 };
 
 }  // namespace

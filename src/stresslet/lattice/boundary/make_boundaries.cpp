@@ -3,6 +3,7 @@
 #include "stresslet/lattice/boundary/face_walls.hpp"
 #include "stresslet/lattice/boundary/laws.hpp"
 #include "stresslet/lattice/boundary/links.hpp"
+#include "stresslet/lattice/boundary/sheared.hpp"
 #include "stresslet/lattice/laws.hpp"
 
 namespace stresslet {
@@ -12,7 +13,7 @@ namespace {
 template <class Stencil, class T>
 void add_walls(const FluidSetup& setup, const std::vector<BlockLayout>& layouts, Boundaries<Stencil, T>& boundaries) {
   const auto half_way = half_way_links<Stencil>(setup.grid, [&](const Cells& crossed) -> std::optional<Vec3<double>> {
-    const FaceSetup* wall = wall_across(setup, crossed);
+    const auto wall = wall_across(setup, crossed);
     if (!wall || wall->law != HalfWay::name) return std::nullopt;
     return wall->velocity_lu;
   });
@@ -25,7 +26,7 @@ void add_walls(const FluidSetup& setup, const std::vector<BlockLayout>& layouts,
   if (!some) return;
   boundaries.push_back(std::make_unique<FullWayBoundary<Stencil, T>>(wall_links<Stencil>(
       setup, layouts, [&](int j, const Cells& crossed, const Cells& target) -> std::optional<double> {
-        const FaceSetup* wall = wall_across(setup, crossed);
+        const auto wall = wall_across(setup, crossed);
         if (!wall || wall->law != FullWay::name || meets_solid(setup, crossed, target)) return std::nullopt;
         return wall_correction<Stencil>(j, wall->velocity_lu);
       })));
@@ -69,6 +70,8 @@ Boundaries<Stencil, T> make_boundaries(const FluidSetup& setup) {
 
   Boundaries<Stencil, T> boundaries;
   boundaries.push_back(std::make_unique<LinkBoundary<Stencil, T>>(exchange_links<Stencil>(setup.grid)));
+  if (setup.grid.closure[1] == Closure::sheared)
+    boundaries.push_back(std::make_unique<ShearedBoundary<Stencil, T>>(setup.grid, setup.shear_interpolation));
   add_walls(setup, layouts, boundaries);
   add_solid(setup, layouts, boundaries);
   add_openings(setup, layouts, boundaries);

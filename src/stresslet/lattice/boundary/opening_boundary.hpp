@@ -49,7 +49,7 @@ class OpeningBoundary : public Boundary<Stencil, T> {
       for_each_cell(lattice, member, [&](auto& place) {
         const OpeningState state = known(lattice, place).state;
         const double density = 1 + state.density_deviation;
-        const Vec3<double> u = (state.momentum + 0.5 * lattice.force_density) / density;
+        const Vec3<double> u = (state.momentum + 0.5 * lattice.input.force_density) / density;
         const auto equilibrium = [&](int i) {
           const double cu = dot(direction(i), u);
           return Stencil::weight[i] * (state.density_deviation + 3 * dot(direction(i), state.momentum) +
@@ -104,7 +104,7 @@ class OpeningBoundary : public Boundary<Stencil, T> {
       arrived += moves(i) == Moves::along ? f : 2 * f;
       if (moves(i) == Moves::along) along += f * direction(i);
     }
-    return {Law::state(arrived, inward_, face_, lattice.force_density), along};
+    return {Law::state(arrived, inward_, face_, lattice.input.force_density), along};
   }
 
   int axis_, side_;

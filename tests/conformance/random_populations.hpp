@@ -1,11 +1,20 @@
 #pragma once
 /// Random populations of one cell and its collision, for tests of laws without a lattice.
+#include <gtest/gtest.h>
+
 #include <random>
 
 #include "stresslet/lattice/collide.hpp"
 #include "stresslet/lattice/laws.hpp"
 
 namespace stresslet::testing {
+
+template <class List>
+struct GTestTypes;
+template <class... Laws>
+struct GTestTypes<TypeList<Laws...>> {
+  using type = ::testing::Types<Laws...>;
+};
 
 /// Deviations of a few percent of the weights.
 template <class Stencil>

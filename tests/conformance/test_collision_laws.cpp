@@ -13,13 +13,6 @@ namespace {
 
 using namespace testing;
 
-template <class List>
-struct GTestTypes;
-template <class... Laws>
-struct GTestTypes<TypeList<Laws...>> {
-  using type = ::testing::Types<Laws...>;
-};
-
 template <class Law>
 class CollisionLaw : public ::testing::Test {
  protected:

@@ -60,6 +60,8 @@ void check_boundaries(const FluidSetup& setup, int dimensions) {
       opening = a;
     }
   }
+  if (grid.closure[1] == Closure::sheared && grid.closure[0] != Closure::periodic)
+    throw std::invalid_argument("sheared faces across y need x to be periodic (the image moves along x)");
   if (setup.solid.empty()) return;
   const std::size_t layer = std::size_t(grid.size[0]), cells = layer * grid.size[1] * grid.size[2];
   if (setup.solid.size() != cells)
@@ -76,13 +78,18 @@ void check_boundaries(const FluidSetup& setup, int dimensions) {
                           x, z));
 }
 
-const FaceSetup* wall_across(const FluidSetup& setup, const Cells& crossed) {
+std::optional<WallMet> wall_across(const FluidSetup& setup, const Cells& crossed) {
+  std::optional<WallMet> met;
   for (std::size_t a = 0; a < 3; ++a) {
     if (crossed[a] == 0 || setup.grid.closure[a] != Closure::open) continue;
     const FaceSetup& face = setup.faces[a][crossed[a] > 0];
-    if (is_wall(face)) return &face;
+    if (!met && is_wall(face)) met = {face.law, face.velocity_lu};
   }
-  return nullptr;
+  if (met)
+    for (std::size_t a = 0; a < 3; ++a)
+      if (crossed[a] != 0 && setup.grid.closure[a] == Closure::open)
+        (a == 0 ? met->velocity_lu.x : a == 1 ? met->velocity_lu.y : met->velocity_lu.z) = 0;
+  return met;
 }
 
 bool is_solid(const FluidSetup& setup, const Cells& c) {

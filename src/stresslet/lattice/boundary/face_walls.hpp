@@ -11,16 +11,21 @@ namespace stresslet {
 /// Throws std::invalid_argument where faces or solid cells contradict each other.
 void check_boundaries(const FluidSetup& setup, int dimensions);
 
-/// The wall met by a link that crosses the faces `crossed` (components -1, 0, 1): the first in the order x, y, z; null
-/// where it crosses openings only, or no open face.
-const FaceSetup* wall_across(const FluidSetup& setup, const Cells& crossed);
+struct WallMet {
+  std::string_view law;
+  Vec3<double> velocity_lu;
+};
+
+/// The wall met by a link that crosses the faces `crossed` (components -1, 0, 1): the first in the order x, y, z, none
+/// where it crosses openings only, or no open face. In edges and corners walls do not move through each other.
+std::optional<WallMet> wall_across(const FluidSetup& setup, const Cells& crossed);
 
 /// Whether the cell, in global coordinates, is solid.
 bool is_solid(const FluidSetup& setup, const Cells& cell);
 
 /// Whether a link meets a solid cell: `target` is the cell it leads to, across the periodic faces among `crossed`. Over
-/// a wall it meets the solid cell that it would reach by going along the wall, so that a moving wall keeps mass beside
-/// solid cells as it does in corners.
+/// a wall it meets the solid cell that it would reach by going along the wall. With this and the rule for corners the
+/// corrections of a moving wall come in pairs of opposite sign between fluid cells, and mass is exact.
 bool meets_solid(const FluidSetup& setup, const Cells& crossed, const Cells& target);
 
 /// The fluid cells of the last layer before a face, `side` -1 or 1.

@@ -13,7 +13,7 @@ namespace {
 template <class Stencil, class T>
 void add_walls(const FluidSetup& setup, const std::vector<BlockLayout>& layouts, Boundaries<Stencil, T>& boundaries) {
   const auto half_way = half_way_links<Stencil>(setup.grid, [&](const Cells& crossed) -> std::optional<Vec3<double>> {
-    const FaceSetup* wall = wall_across(setup, crossed);
+    const auto wall = wall_across(setup, crossed);
     if (!wall || wall->law != HalfWay::name) return std::nullopt;
     return wall->velocity_lu;
   });
@@ -26,7 +26,7 @@ void add_walls(const FluidSetup& setup, const std::vector<BlockLayout>& layouts,
   if (!some) return;
   boundaries.push_back(std::make_unique<FullWayBoundary<Stencil, T>>(wall_links<Stencil>(
       setup, layouts, [&](int j, const Cells& crossed, const Cells& target) -> std::optional<double> {
-        const FaceSetup* wall = wall_across(setup, crossed);
+        const auto wall = wall_across(setup, crossed);
         if (!wall || wall->law != FullWay::name || meets_solid(setup, crossed, target)) return std::nullopt;
         return wall_correction<Stencil>(j, wall->velocity_lu);
       })));

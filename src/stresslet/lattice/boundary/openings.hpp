@@ -43,13 +43,13 @@ struct PressureOpening {
 
 struct RegularisedVelocity : VelocityOpening {
   static constexpr std::string_view name = "regularised-velocity";
-  static constexpr std::string_view summary = "Latt et al. 2008: as velocity, stable at small relaxation times";
+  static constexpr std::string_view summary = "Latt et al. 2008: as velocity, more stable and less exact";
   static constexpr bool regularised = true;
 };
 
 struct RegularisedPressure : PressureOpening {
   static constexpr std::string_view name = "regularised-pressure";
-  static constexpr std::string_view summary = "Latt et al. 2008: as pressure, stable at small relaxation times";
+  static constexpr std::string_view summary = "Latt et al. 2008: as pressure, more stable and less exact";
   static constexpr bool regularised = true;
 };
 

@@ -1,15 +1,13 @@
 #pragma once
-/// Plane walls: bounce-back half-way between the last cells and their halo. A population that leaves cell x along c_j
-/// comes back along -c_j as
-///   f_opposite(j) = f'_j - 2 w_j rho c_j.u_wall / cs^2,   rho = 1 (rest density),   Ladd, J. Fluid Mech. 271 (1994)
-///   285.
-/// Half-way: one step later. Full-way: two steps later, after a stay in a wall cell. Same steady flow; the extra delay
-/// makes full-way walls less accurate in unsteady flow, and they keep a second set of populations.
-/// The rest density keeps mass exact: the corrections of a wall that moves along itself sum to zero in every cell.
+/// Plane walls: bounce-back half-way between the last cells and their halo (Ladd, J. Fluid Mech. 271 (1994) 285). A
+/// population that leaves cell x along c_j comes back along -c_j as
+///   f_opposite(j) = f'_j - 6 w_j rho c_j.u_wall,   rho = 1, the rest density.
+/// Half-way: one step later. Full-way: two steps later, after a stay in a wall cell: the same steady flow, less
+/// accurate in unsteady flow, and a second set of populations at the wall. The rest density keeps mass exact: the
+/// corrections of a wall that moves along itself cancel.
 ///
-/// Errors: steady shear flow along the wall is exact at any relaxation time; of Poiseuille flow the wall seems to lie
-/// off by what the magic parameter leaves (collision/trt.hpp). A wall may not move through itself (normal velocity):
-/// that would pump mass.
+/// Errors: none for steady shear flow along the wall; in Poiseuille flow the wall seems to lie off by what the magic
+/// parameter leaves (collision/trt.hpp). A wall may not move through itself, which would pump mass.
 #include <string_view>
 
 namespace stresslet {

@@ -4,7 +4,7 @@
 /// The place of a half-way wall depends on tau: exact for Poiseuille flow only at tau = 1/2 + sqrt(3)/4.
 ///
 /// A collision law turns rates and the departures g = f - target of all populations into what is taken from them,
-/// `even(k, ...)`, `odd(...)`. `whole_cell` says that it looks at all departures first (`prepare`).
+/// `rest(g)` and `pair<i>(g)`. `whole_cell` says that it looks at all departures first (`prepare`).
 #include <string_view>
 
 #include "stresslet/lattice/collision/rates.hpp"

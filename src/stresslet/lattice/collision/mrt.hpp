@@ -1,12 +1,12 @@
 #pragma once
 /// Multiple relaxation times in the Hermite basis (orthogonal under the weights w_i), as in Adhikari & Succi, Phys.
-/// Rev. E 78 (2008) 066701. The departures g = f - target are split into
-///   deviatoric stress  w_i (c_a c_b - delta_ab |c|^2 / D) 9/2 Pi_ab       rate 1/tau: kinematic viscosity (tau -
-///   1/2)/3 trace of stress    w_i (|c|^2 - D/3) 9/(2 D) Pi_aa                    bulk rate: bulk viscosity
-///   (2/D)(1/rate - 1/2)/3 other even moments                                                    higher even rate (no
-///   hydrodynamic effect) odd moments                                                           rate from the magic
-///   parameter, as in TRT
-/// with Pi_ab = sum_i g_i (c_a c_b - delta_ab/3), D the number of dimensions. Equal even rates make it TRT.
+/// Rev. E 78 (2008) 066701. D is the number of dimensions, Pi_ab = sum_i g_i (c_a c_b - delta_ab/3) of g = f - target:
+///
+///   deviatoric stress   9/2 w_i (c_a c_b - delta_ab |c|^2/D) Pi_ab    1/tau, kinematic viscosity (tau - 1/2)/3
+///   trace of stress     9/(2 D) w_i (|c|^2 - D/3) Pi_aa               bulk rate, viscosity (2/D)(1/rate - 1/2)/3
+///   other even moments  the rest of the even populations              higher even rate: no hydrodynamic effect
+///   odd moments         odd populations                               from the magic parameter, as in TRT
+/// Equal even rates make it TRT.
 #include "stresslet/lattice/collision/bgk.hpp"
 
 namespace stresslet {

@@ -1,9 +1,9 @@
 #pragma once
 /// Exact difference method: Kupershtokh, Medvedev & Karpov, Comput. Math. Appl. 58 (2009) 965, eq. 8:
 ///   f' = f - Lambda (f - feq(v)) + feq(v + F/rho) - feq(v),   v = sum f c / rho.
-/// Shifts the equilibrium along the exact solution of the force term. Leaves a spurious stress of F F / (4 rho)
-/// (1/even_rate
-/// - 1/2)-like size, second order in F; exact for uniform flow.
+/// The equilibrium shifts by what the force does in a step. Momentum flux too large by F F / (4 rho) at any relaxation
+/// time: a constant under a uniform force, -div(F F / 4 rho) of spurious force where F varies.
+/// The velocity is v + F/(2 rho), as with the other laws.
 #include "stresslet/lattice/forcing/no_force.hpp"
 
 namespace stresslet {

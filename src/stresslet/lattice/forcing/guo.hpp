@@ -1,7 +1,7 @@
 #pragma once
 /// Guo, Zheng & Shi, Phys. Rev. E 65 (2002) 046308, eqs. 16-20, for any relaxation operator Lambda:
-///   u = (sum f c + F/2)/rho,   Phi_i = w_i [3 (c - u).F + 9 (c.u)(c.F)],   f' = f - Lambda (f - feq(u)) + (1 -
-///   Lambda/2) Phi.
+///   u = (sum f c + F/2)/rho,   Phi_i = w_i [3 (c - u).F + 9 (c.u)(c.F)],
+///   f' = f - Lambda (f - feq(u)) + (1 - Lambda/2) Phi.
 /// Second order in space and time; no error terms in the Navier-Stokes equations, for forces that vary too.
 #include "stresslet/lattice/forcing/no_force.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 /// He, Shan & Doolen, Phys. Rev. E 57 (1998) R13, with the half-force velocity of He, Chen & Doolen, J. Comput. Phys.
-/// 146 (1998) 282:  Phi_i = 3 F.(c - u) feq_i(u) / rho,   f' = f - Lambda (f - feq(u)) + (1 - Lambda/2) Phi. Equals
-/// Guo's to second order in the velocity; the third-order rest shows in fast flow only.
+/// 146 (1998) 282:  Phi_i = 3 F.(c - u) feq_i(u) / rho,   f' = f - Lambda (f - feq(u)) + (1 - Lambda/2) Phi.
+/// Guo's up to third order: momentum flux off by -3 (tau - 1/2)(u.F) u u, which shows in fast flow only.
 #include "stresslet/lattice/forcing/no_force.hpp"
 
 namespace stresslet {

@@ -1,6 +1,6 @@
 #pragma once
-/// The forcing law of a fluid on which no force acts. Also the pattern of a forcing law: see `forcing/README` in
-/// docs/theory.md for the family.
+/// The forcing law of a fluid on which no force acts. Also the pattern of a forcing law; docs/theory.md, "Body forces",
+/// compares the family: "guo" if unsure.
 ///
 /// A law is made once per cell from the moments of the streamed populations and gives the populations the collision
 /// relaxes towards (`rest_target`, `target<i>`) and those it adds unrelaxed (`rest_added`, `added<i>`):

@@ -1,7 +1,7 @@
 #pragma once
-/// Velocity shift of Shan & Chen, Phys. Rev. E 47 (1993) 1815, eq. 9:  f' = f - Lambda (f - feq(v + tau F/rho)),
-/// v = sum f c / rho, 1/tau the rate of the odd populations. Leaves a spurious stress of order tau^2 F F / rho and is
-/// less accurate than the others at large relaxation times; kept because published work uses it.
+/// Velocity shift of Shan & Chen, Phys. Rev. E 47 (1993) 1815, eq. 9:  f' = f - Lambda (f - feq(v + tau_- F/rho)),
+/// v = sum f c / rho, 1/tau_- the rate of odd populations (BGK: tau). Momentum flux off by (tau_- - tau)(u F + F u) +
+/// [(tau_- - tau)^2 + (tau - 1/2)^2] F F / rho, which grows with tau. For comparison with published work.
 #include "stresslet/lattice/forcing/no_force.hpp"
 
 namespace stresslet {

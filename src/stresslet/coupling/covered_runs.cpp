@@ -58,24 +58,25 @@ void CoveredRuns::find_runs() {
   std::size_t packs = 0;
   for (std::size_t k = 0; k < images_.size(); ++k) {
     const SphereImage& image = images_[k];
-    for_each_row_of_sphere(
-        image.centre, touch_radius_(image.radius), full_radius_(image.radius), [&](const RowSpan& row) {
-          if (row.y < 0 || row.y >= grid_.size[1] || row.z < 0 || row.z >= grid_.size[2]) return;
-          const auto [block_y, y] = places_[1][std::size_t(row.y)];
-          const auto [block_z, z] = places_[2][std::size_t(row.z)];
-          const int end = std::min(row.touched.end, grid_.size[0]);
-          for (int x = std::max(row.touched.begin, 0); x < end;) {
-            const int next = std::min((x / run_length + 1) * run_length, end);
-            const auto [block_x, local_x] = places_[0][std::size_t(x)];
-            const int block = block_x + block_y + block_z, aligned = local_x / width * width;
-            CoveredRun run{std::int32_t(k), block, y + boxes_[std::size_t(block)].size[1] * z, aligned, 0,
-                           {x - (local_x - aligned), row.y, row.z}, {x, next}, row.full, packs};
-            run.packs = (next - run.global[0] + width - 1) / width;
-            packs += std::size_t(run.packs);
-            runs_.push_back(run);
-            x = next;
-          }
-        });
+    for_each_row_of_sphere(image.centre, touch_radius_(image.radius), full_radius_(image.radius),
+                           [&](const RowSpan& row) {
+                             if (row.y < 0 || row.y >= grid_.size[1] || row.z < 0 || row.z >= grid_.size[2]) return;
+                             const auto [block_y, y] = places_[1][std::size_t(row.y)];
+                             const auto [block_z, z] = places_[2][std::size_t(row.z)];
+                             const int end = std::min(row.touched.end, grid_.size[0]);
+                             for (int x = std::max(row.touched.begin, 0); x < end;) {
+                               const int next = std::min((x / run_length + 1) * run_length, end);
+                               const auto [block_x, local_x] = places_[0][std::size_t(x)];
+                               const int block = block_x + block_y + block_z, aligned = local_x / width * width;
+                               CoveredRun run{std::int32_t(k), block,    y + boxes_[std::size_t(block)].size[1] * z,
+                                              aligned,         0,        {x - (local_x - aligned), row.y, row.z},
+                                              {x, next},       row.full, packs};
+                               run.packs = (next - run.global[0] + width - 1) / width;
+                               packs += std::size_t(run.packs);
+                               runs_.push_back(run);
+                               x = next;
+                             }
+                           });
     first_run_.push_back(runs_.size());
   }
   if (drag_.size() < packs * pack_width) drag_.resize(packs * pack_width * 5 / 4);

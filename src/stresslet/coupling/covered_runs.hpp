@@ -1,11 +1,11 @@
 #pragma once
 /// Which cells the spheres cover, as runs: the part of one row of cells that one image covers, cut at multiples of
-/// `run_length` cells. Runs are numbered image by image in a fixed order, so that sums over a sphere's runs have the same
-/// bits for any number of threads and blocks (blocks begin at multiples of `run_length` along x); each row has a list of its
-/// runs for the sweep.
+/// `run_length` cells. Runs are numbered image by image in a fixed order, so that sums over a sphere's runs have the
+/// same bits for any number of threads and blocks (blocks begin at multiples of `run_length` along x); each row has a
+/// list of its runs for the sweep.
 ///
-/// `map` costs, per covered pack of cells at the surface, one evaluation of the solid-fraction law in registers (some 60
-/// operations for plane-cut) and one store; packs inside are filled.
+/// `map` costs, per covered pack of cells at the surface, one evaluation of the solid-fraction law in registers (some
+/// 60 operations for plane-cut) and one store; packs inside are filled.
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -39,8 +39,8 @@ class CoveredRuns {
  public:
   explicit CoveredRuns(const Grid& grid);
 
-  /// Finds all images and runs of `spheres` and the solid drag of every covered cell. All members of the team call it; ends
-  /// with a barrier.
+  /// Finds all images and runs of `spheres` and the solid drag of every covered cell. All members of the team call it;
+  /// ends with a barrier.
   void map(Member& member, const SolidLaws& laws, const std::vector<ResolvedSphere>& spheres, double shear_offset,
            double shear_velocity);
 
@@ -68,7 +68,8 @@ class CoveredRuns {
 
   Grid grid_;
   std::vector<BlockBox> boxes_;
-  std::array<std::vector<std::pair<int, int>>, 3> places_;  // per axis and cell: contribution to the block's number, place
+  std::array<std::vector<std::pair<int, int>>, 3>
+      places_;  // per axis and cell: contribution to the block's number, place
   std::vector<SphereImage> images_;
   std::vector<std::size_t> first_image_, first_run_;
   std::vector<CoveredRun> runs_;

@@ -1,6 +1,7 @@
 #pragma once
-/// What a sphere needs to know of the fluid in its cells: with m = B_k rho of every covered cell, u* the fluid's velocity
-/// before the exchange and r the arm from the centre, the momentum that the fluid takes from the sphere in a step is
+/// What a sphere needs to know of the fluid in its cells: with m = B_k rho of every covered cell, u* the fluid's
+/// velocity before the exchange and r the arm from the centre, the momentum that the fluid takes from the sphere in a
+/// step is
 ///   sum m (U + w x r - u*),   its moment about the centre  sum r x m (U + w x r - u*),
 /// linear in the sphere's velocities: these sums let the particle update solve for them (theory: partially saturated
 /// cells). The sums are those of the sphere's own frame: u* of an image has the image's velocity jump taken off.
@@ -12,11 +13,11 @@ namespace stresslet {
 
 template <class R>
 struct ExchangeSums {
-  R mass{};                                 ///< sum m
-  Vec3<R> first{};                          ///< sum m r
-  SymTensor3<R> second{};                   ///< sum m r r
-  Vec3<R> momentum{};                       ///< sum m u*
-  std::array<Vec3<R>, 3> momentum_arm{};    ///< [a]: sum m u*_a r
+  R mass{};                               ///< sum m
+  Vec3<R> first{};                        ///< sum m r
+  SymTensor3<R> second{};                 ///< sum m r r
+  Vec3<R> momentum{};                     ///< sum m u*
+  std::array<Vec3<R>, 3> momentum_arm{};  ///< [a]: sum m u*_a r
 
   void add(const R& m, const Vec3<R>& r, const Vec3<R>& u) {
     mass += m;
@@ -57,8 +58,8 @@ inline HydrodynamicLoad load_on_sphere(const ExchangeSums<double>& s, const Vec3
   HydrodynamicLoad load;
   load.force = s.momentum - s.mass * velocity - cross(w, s.first);
   load.torque = {row_y.z - row_z.y, row_z.x - row_x.z, row_x.y - row_y.x};
-  load.stresslet = {-row_x.x, -row_y.y, -row_z.z, -0.5 * (row_x.y + row_y.x), -0.5 * (row_x.z + row_z.x),
-                    -0.5 * (row_y.z + row_z.y)};
+  load.stresslet = {
+      -row_x.x, -row_y.y, -row_z.z, -0.5 * (row_x.y + row_y.x), -0.5 * (row_x.z + row_z.x), -0.5 * (row_y.z + row_z.y)};
   return load;
 }
 

@@ -25,7 +25,8 @@ CellPopulations<Stencil, Pack> load_pack(const std::array<const double*, Stencil
 ExchangeSums<double> reduced(const ExchangeSums<Pack>& s) {
   const auto sum = [](const Pack& p) { return stdx::reduce(p); };
   const auto vector = [&](const Vec3<Pack>& v) { return Vec3<double>{sum(v.x), sum(v.y), sum(v.z)}; };
-  return {sum(s.mass), vector(s.first),
+  return {sum(s.mass),
+          vector(s.first),
           {sum(s.second.xx), sum(s.second.yy), sum(s.second.zz), sum(s.second.xy), sum(s.second.xz), sum(s.second.yz)},
           vector(s.momentum),
           {vector(s.momentum_arm[0]), vector(s.momentum_arm[1]), vector(s.momentum_arm[2])}};

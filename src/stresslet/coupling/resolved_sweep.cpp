@@ -28,8 +28,9 @@ class SolidRow {
       const std::size_t place = std::size_t(run.x / width + p);
       if (!covered_[place]) packs_[place] = {}, used_.push_back(place);
       covered_[place] = 1;
-      packs_[place].add(load(drag + p * width), Vec3<Pack>{Pack(first.x + image.velocity_jump), Pack(first.y) + Pack(w.z) * along,
-                                                           Pack(first.z) - Pack(w.y) * along});
+      packs_[place].add(load(drag + p * width),
+                        Vec3<Pack>{Pack(first.x + image.velocity_jump), Pack(first.y) + Pack(w.z) * along,
+                                   Pack(first.z) - Pack(w.y) * along});
     }
   }
   void clear() {

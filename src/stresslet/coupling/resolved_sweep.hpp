@@ -1,9 +1,10 @@
 #pragma once
 /// The two kernels of the resolved fluid.
 ///
-/// `gather_exchange` reads the incoming populations of the covered cells before they collide: 152 bytes per covered cell in
-/// double precision, in runs along x. `resolved_sweep` is the kernel of lattice/sweep.hpp with the coupling operator in
-/// the covered packs of a row, which it finds in a buffer of the row; the other packs are those of the plain fluid.
+/// `gather_exchange` reads the incoming populations of the covered cells before they collide: 152 bytes per covered
+/// cell in double precision, in runs along x. `resolved_sweep` is the kernel of lattice/sweep.hpp with the coupling
+/// operator in the covered packs of a row, which it finds in a buffer of the row; the other packs are those of the
+/// plain fluid.
 #include <string_view>
 
 #include "stresslet/coupling/covered_runs.hpp"

@@ -1,6 +1,6 @@
 #pragma once
-/// Spheres as the lattice meets them: every periodic or sheared image that reaches into the domain. Lengths in cells, cell i
-/// centred on coordinate i, velocities in lattice units.
+/// Spheres as the lattice meets them: every periodic or sheared image that reaches into the domain. Lengths in cells,
+/// cell i centred on coordinate i, velocities in lattice units.
 #include <cstdint>
 #include <vector>
 
@@ -22,8 +22,8 @@ struct SphereImage {
   double velocity_jump;  ///< along x: velocity of the image minus that of the sphere
 };
 
-/// The images of sphere `index`, in a fixed order. `touch_radius` bounds what it covers; the image above a sheared face is
-/// displaced by `shear_offset` and faster by `shear_velocity`.
+/// The images of sphere `index`, in a fixed order. `touch_radius` bounds what it covers; the image above a sheared face
+/// is displaced by `shear_offset` and faster by `shear_velocity`.
 void append_images(const Grid& grid, const ResolvedSphere& sphere, std::int32_t index, double touch_radius,
                    double shear_offset, double shear_velocity, std::vector<SphereImage>& images);
 

@@ -25,8 +25,8 @@ struct BlockBox {
   Cells origin, size;
 };
 
-/// Along x blocks begin at multiples of this where that leaves every block a cell, so that SIMD packs hold the same cells
-/// whatever the division.
+/// Along x blocks begin at multiples of this where that leaves every block a cell, so that SIMD packs hold the same
+/// cells whatever the division.
 inline constexpr int block_grain_in_x = 16;
 
 /// The blocks of a grid, x fastest, as equal in size as the grain allows.

@@ -1,5 +1,6 @@
-/// Drag of a simple cubic array of fixed spheres against Zick & Homsy, J. Fluid Mech. 115 (1982) 13 (recomputed digits):
-/// K = F / (6 pi mu a U), U the mean velocity over the whole cell, F the force with its mean pressure gradient.
+/// Drag of a simple cubic array of fixed spheres against Zick & Homsy, J. Fluid Mech. 115 (1982) 13 (recomputed
+/// digits): K = F / (6 pi mu a U), U the mean velocity over the whole cell, F the force with its mean pressure
+/// gradient.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -43,7 +44,7 @@ Array cubic_array(double relaxation_time, const Vec3<double>& centre, const Coup
       }
     });
     // The halves of the body force and of what the sphere takes cancel in the mean of the steady state.
-    mean = fluid.totals().momentum.x / volume;
+    mean = fluid.totals(team).momentum.x / volume;
   }
   team.run([&](Member& member) { fluid.prepare(member, spheres); });
   const double taken = load_on_sphere(fluid.exchange(0), {}, {}).force.x;
@@ -51,21 +52,20 @@ Array cubic_array(double relaxation_time, const Vec3<double>& centre, const Coup
 }
 
 TEST(CubicArrayDrag, AnywhereOnTheGrid) {
-  for (const Vec3<double>& centre : {Vec3<double>{8, 8, 8}, Vec3<double>{8.5, 8.5, 8.5}, Vec3<double>{8.3, 7.9, 8.1},
-                                     Vec3<double>{0.2, 15.7, 3.4}}) {
+  for (const Vec3<double>& centre : {Vec3<double>{8.5, 8.5, 8.5}, Vec3<double>{0.2, 15.7, 3.4}}) {
     const Array array = cubic_array(1.0, centre);
     EXPECT_NEAR(array.drag / exact, 1, 0.006);
     EXPECT_NEAR(array.imbalance, 0, 1e-4);
   }
 }
 
-TEST(CubicArrayDrag, DoesNotDependOnTheRelaxationTime) {
+TEST(LongCubicArrayDrag, DoesNotDependOnTheRelaxationTime) {
   const double reference = cubic_array(1.0, {8.3, 7.9, 8.1}).drag;
   for (const double tau : {0.6, 2.0}) EXPECT_NEAR(cubic_array(tau, {8.3, 7.9, 8.1}).drag / reference, 1, 0.001);
 }
 
 /// Values of an independent program (sub-cells, 10 in each direction).
-TEST(CubicArrayDrag, PublishedVariants) {
+TEST(LongCubicArrayDrag, PublishedVariants) {
   CouplingSetup coupling;
   coupling.solid = {"sub-cells", "linear", 1};
   EXPECT_NEAR(cubic_array(0.7, {8, 8, 8}, coupling, "BGK").drag / exact, 1.026, 0.002);

@@ -66,7 +66,8 @@ void ResolvedFluid::sweep(Member& member, const std::vector<ResolvedSphere>& sph
   finish_step(lattice_, boundaries_, member);
 }
 
-Moments<double> ResolvedFluid::totals() {
+Moments<double> ResolvedFluid::totals(ThreadTeam& team) {
+  team.run([&](Member& member) { prepare_step(lattice_, boundaries_, member); });
   Moments<double> sum{};
   for (const auto& block : lattice_.blocks) {
     const BlockLayout& layout = block.populations.layout();

@@ -46,7 +46,7 @@ class ResolvedFluid {
   const ExchangeSums<double>& exchange(std::size_t k) const { return exchange_[k]; }
 
   /// Mass over the rest density, and momentum of the incoming populations, summed over all cells.
-  Moments<double> totals();
+  Moments<double> totals(ThreadTeam& team);
 
  private:
   Lattice<Stencil, double> lattice_;

@@ -14,8 +14,8 @@ struct SphereVelocities {
   Vec3<double> velocity{}, angular_velocity{};
 };
 
-/// `mass` and `moment_of_inertia` in lattice units; `force`, `torque` are those of everything but the fluid, a step long.
-/// `held` keeps the velocity at that of `before` and lets the sphere rotate.
+/// `mass` and `moment_of_inertia` in lattice units; `force`, `torque` are those of everything but the fluid, a step
+/// long. `held` keeps the velocity at that of `before` and lets the sphere rotate.
 inline SphereVelocities settled_velocities(const ExchangeSums<double>& s, double mass, double moment_of_inertia,
                                            const SphereVelocities& before, const Vec3<double>& force,
                                            const Vec3<double>& torque, bool held = false) {

@@ -3,7 +3,7 @@
 /// 50 cells. The area that a disc and a square share is known in closed form; it is integrated over the height of the
 /// cube, piece by piece between the heights where the disc's edge passes a side or a corner of the square. Within a
 /// piece z = middle - half cos(theta) takes away the square roots at the ends, and Gauss-Legendre points in theta
-/// converge exponentially; pieces that have not converged are halved. Slow: about 50 microseconds a cell.
+/// converge exponentially; pieces that have not converged are halved. Slow: some hundred areas a cell.
 #include <string_view>
 
 #include "stresslet/base/vec3.hpp"

@@ -19,26 +19,27 @@ struct SphereVelocities {
 inline SphereVelocities settled_velocities(const ExchangeSums<double>& s, double mass, double moment_of_inertia,
                                            const SphereVelocities& before, const Vec3<double>& force,
                                            const Vec3<double>& torque, bool held = false) {
-  const SymTensor3<double> arm = trace(s.second) * identity3<double>() - s.second;
-  Eigen::Matrix3d second;
-  second << arm.xx, arm.xy, arm.xz, arm.xy, arm.yy, arm.yz, arm.xz, arm.yz, arm.zz;
-  second.diagonal().array() += moment_of_inertia;
-  const auto eigen = [](const Vec3<double>& v) { return Eigen::Vector3d(v.x, v.y, v.z); };
-  const auto own = [](const auto& v) { return Vec3<double>{v(0), v(1), v(2)}; };
+  const SymTensor3<double> arm =
+      (trace(s.second) + moment_of_inertia) * identity3<double>() - s.second;  // of the whole left side
   const auto& m = s.momentum_arm;
+  const Vec3<double> push = mass * before.velocity + s.momentum + force;
   const Vec3<double> spin = moment_of_inertia * before.angular_velocity + torque +
                             Vec3<double>{m[2].y - m[1].z, m[0].z - m[2].x, m[1].x - m[0].y};
-  if (held)
-    return {before.velocity, own(Eigen::Vector3d(second.ldlt().solve(eigen(spin - cross(s.first, before.velocity)))))};
+  if (held) return {before.velocity, inverse(arm) * (spin - cross(s.first, before.velocity))};
 
-  Eigen::Matrix3d cross_first;
-  cross_first << 0, -s.first.z, s.first.y, s.first.z, 0, -s.first.x, -s.first.y, s.first.x, 0;
+  const double whole = mass + s.mass;
+  const Vec3<double>& f = s.first;
   Eigen::Matrix<double, 6, 6> matrix;
-  matrix << (mass + s.mass) * Eigen::Matrix3d::Identity(), -cross_first, cross_first, second;
+  matrix << whole, 0, 0, 0, f.z, -f.y,       //
+      0, whole, 0, -f.z, 0, f.x,             //
+      0, 0, whole, f.y, -f.x, 0,             //
+      0, -f.z, f.y, arm.xx, arm.xy, arm.xz,  //
+      f.z, 0, -f.x, arm.xy, arm.yy, arm.yz,  //
+      -f.y, f.x, 0, arm.xz, arm.yz, arm.zz;
   Eigen::Matrix<double, 6, 1> right;
-  right << eigen(mass * before.velocity + s.momentum + force), eigen(spin);
-  const Eigen::Matrix<double, 6, 1> solved = matrix.ldlt().solve(right);
-  return {own(solved.head<3>()), own(solved.tail<3>())};
+  right << push.x, push.y, push.z, spin.x, spin.y, spin.z;
+  const Eigen::Matrix<double, 6, 1> v = matrix.ldlt().solve(right);
+  return {{v(0), v(1), v(2)}, {v(3), v(4), v(5)}};
 }
 
 }  // namespace stresslet

@@ -3,8 +3,7 @@
 /// Proc. ICPP (2009) 550. Two arrangements alternate:
 ///
 ///   arrived   slot i of cell x holds what has streamed into x along c_i;
-///   departing slot i of cell x holds what has left for x - ... , that is, slot i of x holds f'_opposite(i)(x), after
-///   collision.
+///   departing slot i of cell x holds its outgoing population opposite(i), collided and not yet moved.
 ///
 /// A step reads the incoming population i of a cell from `source(i)` and writes the outgoing one i where `source` of
 /// the opposite population lies, so that every memory place belongs to exactly one cell per step: steps are in place,

@@ -502,7 +502,7 @@ TEST(SolidCells, MakeTheSameWallsAsOpenFaces) {
 
 TEST(SolidCells, GiveTheSameBitsInAShearedBoxOfAnyBlocks) {
   const auto run = [](const Cells& blocks) {
-    FluidSetup setup = fluid_setup("D3Q19", {7, 6, 4}, {Closure::periodic, Closure::sheared, Closure::open});
+    FluidSetup setup = fluid_setup("D3Q19", {7, 6, 4}, {Closure::periodic, Closure::sheared, Closure::periodic});
     setup.grid.blocks = blocks, setup.shear_velocity_lu = 0.05, setup.forcing = "guo";
     setup.solid.resize(7 * 6 * 4);
     for (const std::size_t cell : {15, 16, 23, 70, 111, 113, 135}) setup.solid[cell] = 1;
@@ -552,6 +552,8 @@ TEST(Boundaries, RefuseContradictions) {
   EXPECT_EQ(complaint(setup), "");
   setup.solid[1] = 1;
   EXPECT_NE(complaint(setup).find("solid cells at a sheared face, at x = 1, z = 0"), std::string::npos);
+  setup.solid.clear(), setup.grid.closure[2] = Closure::open;
+  EXPECT_NE(complaint(setup).find("make x and z periodic"), std::string::npos);
   setup = fluid_setup("D2Q9", {4, 4, 1}, {Closure::periodic, Closure::periodic, Closure::open});
   EXPECT_NE(complaint(setup).find("two-dimensional"), std::string::npos);
 }

@@ -9,19 +9,6 @@
 
 namespace stresslet {
 
-/// sum g c c over all populations.
-template <class Stencil, class R>
-SymTensor3<R> second_moment(const CellPopulations<Stencil, R>& g) {
-  SymTensor3<R> p{};
-  for (int k = 0; k < Stencil::pairs; ++k) {
-    const auto& c = Stencil::velocity[first_of_pair(k)];
-    const R even = g.pair[k].even;
-    p += SymTensor3<R>{c[0] * c[0] * even, c[1] * c[1] * even, c[2] * c[2] * even,
-                       c[0] * c[1] * even, c[0] * c[2] * even, c[1] * c[2] * even};
-  }
-  return p;
-}
-
 template <int dimensions>
 SymTensor3<double> with_separate_trace(const SymTensor3<double>& s, double deviator_factor, double trace_factor) {
   const double mean = trace(s) / dimensions;
@@ -42,7 +29,7 @@ CellState state_of(const CellPopulations<Stencil, double>& f, const RelaxationRa
   });
   const double density = m.density();
   return {density, (m.momentum + 0.5 * force.density) / density,
-          with_separate_trace<Stencil::dimensions>(second_moment<Stencil>(g), -1.5 * rates.shear / density,
+          with_separate_trace<Stencil::dimensions>(second_moment(g), -1.5 * rates.shear / density,
                                                    -1.5 * rates.bulk / density)};
 }
 

@@ -82,6 +82,27 @@ Moments<R> moments_of(const CellPopulations<Stencil, R>& f) {
   return m;
 }
 
+/// sum g c c over all populations; of deviations from the rest state, where g are populations.
+template <class Stencil, class R>
+SymTensor3<R> second_moment(const CellPopulations<Stencil, R>& g) {
+  const R zero = as<R>(0);
+  SymTensor3<R> p{zero, zero, zero, zero, zero, zero};
+  unroll<Stencil::pairs>([&](auto k) {
+    constexpr auto c = Stencil::velocity[first_of_pair(k)];
+    const R even = g.pair[k].even;
+    if constexpr (c[0] != 0) p.xx += even;
+    if constexpr (c[1] != 0) p.yy += even;
+    if constexpr (c[2] != 0) p.zz += even;
+    if constexpr (c[0] * c[1] > 0) p.xy += even;
+    if constexpr (c[0] * c[1] < 0) p.xy -= even;
+    if constexpr (c[0] * c[2] > 0) p.xz += even;
+    if constexpr (c[0] * c[2] < 0) p.xz -= even;
+    if constexpr (c[1] * c[2] > 0) p.yz += even;
+    if constexpr (c[1] * c[2] < 0) p.yz -= even;
+  });
+  return p;
+}
+
 /// Equilibrium of one cell, as deviations from the rest state.
 template <class Stencil, class R>
 class Equilibrium {

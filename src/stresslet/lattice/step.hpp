@@ -18,19 +18,19 @@ void prepare_step(Lattice<Stencil, T>& lattice, const Boundaries<Stencil, T>& bo
   }
 }
 
-/// Streams and collides every cell once. All members of the team call it; ends with a barrier.
+/// After `prepare_step`, once: the populations that boundaries replace before a sweep. Ends with a barrier.
 template <class Stencil, class T>
-void step(Lattice<Stencil, T>& lattice, Sweep<Stencil, T> sweep, const Boundaries<Stencil, T>& boundaries,
-          Member& member) {
-  prepare_step(lattice, boundaries, member);
+void replace_populations(Lattice<Stencil, T>& lattice, const Boundaries<Stencil, T>& boundaries, Member& member) {
   for (const auto& boundary : boundaries) boundary->replace_before_sweep(lattice, member);
   member.barrier();
-  const Arrangement swept = lattice.arrangement;
-  for (const auto& block : lattice.blocks) {
-    const Range rows = member.share(block.populations.layout().rows());
-    sweep(block.populations, swept, lattice.input, rows.begin, rows.end);
-  }
+}
+
+/// After the sweep: brings what has gone out to where it belongs, and goes on to the next time. Begins and ends with a
+/// barrier.
+template <class Stencil, class T>
+void finish_step(Lattice<Stencil, T>& lattice, const Boundaries<Stencil, T>& boundaries, Member& member) {
   member.barrier();
+  const Arrangement swept = lattice.arrangement;
   for (const auto& boundary : boundaries) boundary->look_after_sweep(lattice, member);
   member.barrier();
   for (const auto& boundary : boundaries) {
@@ -44,6 +44,19 @@ void step(Lattice<Stencil, T>& lattice, Sweep<Stencil, T> sweep, const Boundarie
     lattice.shear_offset = std::fmod(lattice.shear_offset + lattice.shear_velocity, double(lattice.grid.size[0]));
   }
   member.barrier();
+}
+
+/// Streams and collides every cell once. All members of the team call it; ends with a barrier.
+template <class Stencil, class T>
+void step(Lattice<Stencil, T>& lattice, Sweep<Stencil, T> sweep, const Boundaries<Stencil, T>& boundaries,
+          Member& member) {
+  prepare_step(lattice, boundaries, member);
+  replace_populations(lattice, boundaries, member);
+  for (const auto& block : lattice.blocks) {
+    const Range rows = member.share(block.populations.layout().rows());
+    sweep(block.populations, lattice.arrangement, lattice.input, rows.begin, rows.end);
+  }
+  finish_step(lattice, boundaries, member);
 }
 
 }  // namespace stresslet

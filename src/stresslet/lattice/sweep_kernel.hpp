@@ -14,64 +14,87 @@ constexpr std::ptrdiff_t prefetch_distance = 256;
 template <class Stencil, class T>
 using Sources = std::array<T*, Stencil::size>;
 
-/// Loads, collides and stores the cells [x, x + width) of a row; only the first `cells` of them are stored if masked.
-template <class Stencil, class T, class Collision, class Forcing, bool masked>
-[[gnu::always_inline]] inline void step_pack(const Sources<Stencil, T>& source, std::ptrdiff_t x, int cells,
-                                             const typename Collision::template Cell<Stencil, PackOf<T>>& rates,
-                                             const BodyForce<PackOf<T>>& force) {
+/// Steps one row of cells, pack by pack.
+template <class Stencil, class T, class Collision, class Forcing>
+class RowSweep {
+ public:
   using R = PackOf<T>;
-  const auto load = [&](int i) { return R(source[i] + x, stdx::element_aligned); };
-  [[maybe_unused]] const typename R::mask_type inside = R([](auto lane) { return T(lane); }) < R(T(cells));
-  const auto store = [&](int i, const R& value) {
-    if constexpr (masked)
-      stdx::where(inside, value).copy_to(source[i] + x, stdx::element_aligned);
-    else
-      value.copy_to(source[i] + x, stdx::element_aligned);
-  };
+  using Rates = typename Collision::template Cell<Stencil, R>;
+  static constexpr std::ptrdiff_t width = R::size(), line = cache_line / sizeof(T);
 
-  CellPopulations<Stencil, R> f;
-  f.rest = load(0);
-  unroll<Stencil::pairs>([&](auto k) {
-    const R along = load(first_of_pair(k)), against = load(first_of_pair(k) + 1);
-    f.pair[k] = {along + against, along - against};
-  });
-  auto collision = rates;
-  collide<Collision, Forcing, Stencil, R>(f, collision, force);
-  store(0, f.rest);
-  unroll<Stencil::pairs>([&](auto k) {
+  explicit RowSweep(const SweepInput& input)
+      : rates_(input.rates),
+        force_{{as<R>(input.force_density.x), as<R>(input.force_density.y), as<R>(input.force_density.z)},
+               as<R>(input.rates.odd)} {}
+
+  /// `start` is the index of the row's first cell.
+  void start(const Populations<Stencil, T>& populations, Arrangement arrangement, std::size_t start) {
+    for (int i = 0; i < Stencil::size; ++i) source_[i] = populations.source(i, arrangement) + start;
+  }
+
+  /// Asks for the line ahead of cell `x` of every population.
+  [[gnu::always_inline]] void prefetch(std::ptrdiff_t x) const {
+    for (int i = 0; i < Stencil::size; ++i)
+      __builtin_prefetch(reinterpret_cast<const char*>(source_[i] + x) + prefetch_distance, 1);
+  }
+
+  /// Steps the cells [x, x + width), or only the first `cells` of them, with `collide_cells(f, rates, force)`.
+  template <class Collide>
+  [[gnu::always_inline]] void step(std::ptrdiff_t x, std::ptrdiff_t cells, Collide&& collide_cells) const {
+    const auto load = [&](int i) { return R(source_[i] + x, stdx::element_aligned); };
+    CellPopulations<Stencil, R> f;
+    f.rest = load(0);
+    unroll<Stencil::pairs>([&](auto k) {
+      const R along = load(first_of_pair(k)), against = load(first_of_pair(k) + 1);
+      f.pair[k] = {along + against, along - against};
+    });
+    Rates rates = rates_;
+    collide_cells(f, rates, force_);
+    if (cells >= width)
+      store_all(f, [&](int i, const R& value) { value.copy_to(source_[i] + x, stdx::element_aligned); });
+    else
+      store_all(f, [&](int i, const R& value) {
+        const typename R::mask_type inside = R([](auto lane) { return T(lane); }) < R(T(cells));
+        stdx::where(inside, value).copy_to(source_[i] + x, stdx::element_aligned);
+      });
+  }
+  [[gnu::always_inline]] void step(std::ptrdiff_t x, std::ptrdiff_t cells) const {
+    step(x, cells, [](auto& f, auto& rates, const auto& force) { collide<Collision, Forcing>(f, rates, force); });
+  }
+
+ private:
+  template <class Store>
+  [[gnu::always_inline]] static void store_all(const CellPopulations<Stencil, R>& f, Store&& store) {
     const R half = as<R>(0.5);
-    store(first_of_pair(k) + 1, half * (f.pair[k].even + f.pair[k].odd));
-    store(first_of_pair(k), half * (f.pair[k].even - f.pair[k].odd));
-  });
-}
+    store(0, f.rest);
+    unroll<Stencil::pairs>([&](auto k) {
+      store(first_of_pair(k) + 1, half * (f.pair[k].even + f.pair[k].odd));
+      store(first_of_pair(k), half * (f.pair[k].even - f.pair[k].odd));
+    });
+  }
+
+  Rates rates_;
+  BodyForce<R> force_;
+  Sources<Stencil, T> source_{};
+};
 
 template <class Stencil, class T, class Collision, class Forcing>
 void sweep(const Populations<Stencil, T>& populations, Arrangement arrangement, const SweepInput& input,
            std::size_t first, std::size_t last) {
-  using R = PackOf<T>;
-  constexpr std::ptrdiff_t width = R::size(), line = cache_line / sizeof(T);
-  const typename Collision::template Cell<Stencil, R> rates(input.rates);
-  const BodyForce<R> force{{as<R>(input.force_density.x), as<R>(input.force_density.y), as<R>(input.force_density.z)},
-                           as<R>(input.rates.odd)};
+  using Row = RowSweep<Stencil, T, Collision, Forcing>;
+  constexpr std::ptrdiff_t width = Row::width, line = Row::line;
+  Row cells(input);
   const BlockLayout& layout = populations.layout();
   const std::ptrdiff_t nx = layout.size()[0];
   const int ny = layout.size()[1];
-
   for (std::size_t row = first; row < last; ++row) {
-    Sources<Stencil, T> source;
-    const std::size_t start = layout.index(0, int(row % std::size_t(ny)), int(row / std::size_t(ny)));
-    for (int i = 0; i < Stencil::size; ++i) source[i] = populations.source(i, arrangement) + start;
-
+    cells.start(populations, arrangement, layout.index(0, int(row % std::size_t(ny)), int(row / std::size_t(ny))));
     std::ptrdiff_t x = 0;
     for (; x + line <= nx; x += line) {
-      for (int i = 0; i < Stencil::size; ++i)
-        __builtin_prefetch(reinterpret_cast<const char*>(source[i] + x) + prefetch_distance, 1);
-      for (std::ptrdiff_t k = 0; k < line; k += width)
-        step_pack<Stencil, T, Collision, Forcing, false>(source, x + k, int(width), rates, force);
+      cells.prefetch(x);
+      for (std::ptrdiff_t k = 0; k < line; k += width) cells.step(x + k, width);
     }
-    for (; x + width <= nx; x += width)
-      step_pack<Stencil, T, Collision, Forcing, false>(source, x, int(width), rates, force);
-    if (x < nx) step_pack<Stencil, T, Collision, Forcing, true>(source, x, int(nx - x), rates, force);
+    for (; x < nx; x += width) cells.step(x, std::min(width, nx - x));
   }
 }
 

@@ -1,0 +1,66 @@
+#pragma once
+/// What a sphere needs to know of the fluid in its cells: with m = B_k rho of every covered cell, u* the fluid's
+/// velocity before the exchange and r the arm from the centre, the momentum that the fluid takes from the sphere in a
+/// step is
+///   sum m (U + w x r - u*),   its moment about the centre  sum r x m (U + w x r - u*),
+/// linear in the sphere's velocities: these sums let the particle update solve for them (theory: partially saturated
+/// cells). The sums are those of the sphere's own frame: u* of an image has the image's velocity jump taken off.
+#include <array>
+
+#include "stresslet/base/vec3.hpp"
+
+namespace stresslet {
+
+template <class R>
+struct ExchangeSums {
+  R mass{};                               ///< sum m
+  Vec3<R> first{};                        ///< sum m r
+  SymTensor3<R> second{};                 ///< sum m r r
+  Vec3<R> momentum{};                     ///< sum m u*
+  std::array<Vec3<R>, 3> momentum_arm{};  ///< [a]: sum m u*_a r
+
+  void add(const R& m, const Vec3<R>& r, const Vec3<R>& u) {
+    mass += m;
+    const Vec3<R> mr = m * r, mu = m * u;
+    first += mr;
+    second += SymTensor3<R>{mr.x * r.x, mr.y * r.y, mr.z * r.z, mr.x * r.y, mr.x * r.z, mr.y * r.z};
+    momentum += mu;
+    momentum_arm[0] += mu.x * r;
+    momentum_arm[1] += mu.y * r;
+    momentum_arm[2] += mu.z * r;
+  }
+
+  ExchangeSums& operator+=(const ExchangeSums& b) {
+    mass += b.mass;
+    first += b.first;
+    second += b.second;
+    momentum += b.momentum;
+    for (std::size_t a = 0; a < 3; ++a) momentum_arm[a] += b.momentum_arm[a];
+    return *this;
+  }
+};
+
+/// Force, torque and first moment of the fluid's force on a sphere that moves with `velocity` and `angular_velocity`.
+struct HydrodynamicLoad {
+  Vec3<double> force{}, torque{};
+  SymTensor3<double> stresslet{};  ///< symmetric first moment sum sym(F r), usual sum; trace included
+};
+
+inline HydrodynamicLoad load_on_sphere(const ExchangeSums<double>& s, const Vec3<double>& velocity,
+                                       const Vec3<double>& angular_velocity) {
+  // Row a of the first moment of the momentum given to the fluid: sum m (U + w x r - u*)_a r.
+  const Vec3<double> second_x{s.second.xx, s.second.xy, s.second.xz}, second_y{s.second.xy, s.second.yy, s.second.yz},
+      second_z{s.second.xz, s.second.yz, s.second.zz};
+  const Vec3<double>& w = angular_velocity;
+  const Vec3<double> row_x = velocity.x * s.first + w.y * second_z - w.z * second_y - s.momentum_arm[0];
+  const Vec3<double> row_y = velocity.y * s.first + w.z * second_x - w.x * second_z - s.momentum_arm[1];
+  const Vec3<double> row_z = velocity.z * s.first + w.x * second_y - w.y * second_x - s.momentum_arm[2];
+  HydrodynamicLoad load;
+  load.force = s.momentum - s.mass * velocity - cross(w, s.first);
+  load.torque = {row_y.z - row_z.y, row_z.x - row_x.z, row_x.y - row_y.x};
+  load.stresslet = {
+      -row_x.x, -row_y.y, -row_z.z, -0.5 * (row_x.y + row_y.x), -0.5 * (row_x.z + row_z.x), -0.5 * (row_y.z + row_z.y)};
+  return load;
+}
+
+}  // namespace stresslet

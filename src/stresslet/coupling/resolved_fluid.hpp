@@ -1,0 +1,60 @@
+#pragma once
+/// Fluid and spheres together: one step of the lattice with the spheres' cells in it.
+///
+///   map          which cells the spheres cover, and how firmly they hold the fluid there
+///   gather       what the spheres must know of the fluid, per sphere
+///   (the caller settles the spheres' velocities)
+///   sweep        collide and stream, with the solid at these velocities
+///
+/// The momentum that the spheres take in a step is `load(k, ...)` with the velocities of the sweep, to round-off the
+/// opposite of what the fluid is given. Not yet: the friction between spheres that share a cell (shared_cells.hpp).
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "stresslet/coupling/covered_runs.hpp"
+#include "stresslet/coupling/exchange_sums.hpp"
+#include "stresslet/coupling/resolved_sweep.hpp"
+#include "stresslet/lattice/fluid.hpp"
+#include "stresslet/lattice/stencil/d3q19.hpp"
+#include "stresslet/lattice/step.hpp"
+
+namespace stresslet {
+
+struct CouplingSetup {
+  std::string coupling_operator = "superposition";
+  SolidLaws solid;  ///< its relaxation time is that of the fluid
+};
+
+class ResolvedFluid {
+ public:
+  using Stencil = D3Q19;
+
+  /// `setup` as for Fluid, D3Q19 in double precision.
+  ResolvedFluid(const FluidSetup& setup, const CouplingSetup& coupling);
+
+  Lattice<Stencil, double>& lattice() { return lattice_; }
+
+  /// Every cell at this density and velocity, in equilibrium.
+  void fill(const std::function<CellState(const Cells&)>& state);
+
+  // All members of the team call these, in this order, once a step.
+  void prepare(Member& member, const std::vector<ResolvedSphere>& spheres);
+  void sweep(Member& member, const std::vector<ResolvedSphere>& spheres);
+
+  /// After `prepare`: the sums over the cells of sphere `k`.
+  const ExchangeSums<double>& exchange(std::size_t k) const { return exchange_[k]; }
+
+  /// Mass over the rest density, and momentum of the incoming populations, summed over all cells.
+  Moments<double> totals(ThreadTeam& team);
+
+ private:
+  Lattice<Stencil, double> lattice_;
+  Boundaries<Stencil, double> boundaries_;
+  ResolvedSweep<Stencil> sweep_;
+  SolidLaws solid_;
+  CoveredRuns covered_;
+  std::vector<ExchangeSums<double>> run_sums_, exchange_;
+};
+
+}  // namespace stresslet

@@ -1,0 +1,111 @@
+/// Spheres in the resolved fluid: momentum of both together, and the same bits whatever the division of the work.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "stresslet/coupling/laws.hpp"
+#include "stresslet/coupling/resolved_fluid.hpp"
+#include "stresslet/coupling/sphere_update.hpp"
+
+namespace stresslet {
+namespace {
+
+constexpr int edge = 20;
+
+FluidSetup stirred_box(Closure closure_in_y) {
+  FluidSetup setup;
+  setup.grid.size = {edge, edge, edge};
+  setup.grid.closure[1] = closure_in_y;
+  setup.rates.relaxation_time = 0.8;
+  setup.rates.magic_parameter = 1.0 / 12;
+  return setup;
+}
+
+std::vector<ResolvedSphere> spheres() {
+  return {{{4.3, 18.8, 10.2}, 3.5, {0.002, -0.004, 0.001}, {2e-4, 0, -4e-4}},
+          {{13.1, 9.4, 0.4}, 4.1, {-0.002, 0.002, 0}, {0, 6e-4, 0}}};
+}
+
+/// Free spheres for some steps; calls `watch(fluid, spheres)` after every step.
+template <class Watch>
+void run(ResolvedFluid& fluid, ThreadTeam& team, int steps, Watch&& watch) {
+  fluid.fill([](const Cells& c) {
+    CellState s;
+    s.velocity = {0.002 * std::sin(0.3 * c[1]), 0.001 * std::cos(0.3 * c[0]), 4e-4};
+    return s;
+  });
+  std::vector<ResolvedSphere> free = spheres();
+  for (int n = 0; n < steps; ++n) {
+    team.run([&](Member& member) {
+      fluid.prepare(member, free);
+      if (member.rank() == 0)
+        for (std::size_t k = 0; k < free.size(); ++k) {
+          const double mass = 4.0 * std::pow(free[k].radius, 3), inertia = 0.4 * mass * free[k].radius * free[k].radius;
+          const auto now = settled_velocities(fluid.exchange(k), mass, inertia,
+                                              {free[k].velocity, free[k].angular_velocity}, {}, {});
+          free[k].velocity = now.velocity;
+          free[k].angular_velocity = now.angular_velocity;
+        }
+      member.barrier();
+      fluid.sweep(member, free);
+    });
+    watch(fluid, free);
+    for (ResolvedSphere& sphere : free) sphere.centre += sphere.velocity;
+  }
+}
+
+class EveryOperator : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(EveryOperator, ConservesTheMomentumOfFluidAndSpheres) {
+  CouplingSetup coupling;
+  coupling.coupling_operator = GetParam();
+  double exchange = 1;
+  CouplingOperators::dispatch(GetParam(), [&](auto law) {
+    using Law = typename decltype(law)::type;
+    exchange = Law::exchange;
+    if (Law::largest_weight < 2) coupling.solid.weight = "linear";
+  });
+  if (exchange != 1) GTEST_SKIP() << "gives twice the momentum that the update reckons with";
+  ResolvedFluid fluid(stirred_box(Closure::periodic), coupling);
+  ThreadTeam team(1);
+  Vec3<double> before{};
+  bool first = true;
+  run(fluid, team, 12, [&](ResolvedFluid& now, const std::vector<ResolvedSphere>& free) {
+    Vec3<double> momentum = now.totals(team).momentum;
+    for (const ResolvedSphere& s : free) momentum += 4.0 * std::pow(s.radius, 3) * s.velocity;
+    if (!first) {
+      EXPECT_LT(norm(momentum - before), 1e-12);
+    }
+    before = momentum;
+    first = false;
+  });
+}
+
+INSTANTIATE_TEST_SUITE_P(Coupling, EveryOperator, ::testing::ValuesIn(CouplingOperators::names()),
+                         [](const auto& test) {
+                           std::string name = test.param;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
+
+TEST(ResolvedFluid, SameBitsForAnyThreadsAndBlocks) {
+  std::vector<double> expected;
+  for (const Cells& blocks : {Cells{1, 1, 1}, Cells{2, 1, 1}, Cells{2, 3, 2}})
+    for (const int threads : {1, 2, 3}) {
+      FluidSetup setup = stirred_box(Closure::sheared);
+      setup.shear_velocity_lu = 0.03;
+      setup.grid.blocks = blocks;
+      ResolvedFluid fluid(setup, {});
+      ThreadTeam team(threads);
+      std::vector<double> found;
+      run(fluid, team, 9, [&](ResolvedFluid&, const std::vector<ResolvedSphere>& free) {
+        for (const ResolvedSphere& s : free)
+          for (const Vec3<double>& v : {s.velocity, s.angular_velocity}) found.insert(found.end(), {v.x, v.y, v.z});
+      });
+      if (expected.empty()) expected = found;
+      EXPECT_EQ(found, expected) << blocks[0] << blocks[1] << blocks[2] << " blocks, " << threads << " threads";
+    }
+}
+
+}  // namespace
+}  // namespace stresslet

@@ -60,8 +60,10 @@ void check_boundaries(const FluidSetup& setup, int dimensions) {
       opening = a;
     }
   }
-  if (grid.closure[1] == Closure::sheared && grid.closure[0] != Closure::periodic)
-    throw std::invalid_argument("sheared faces across y need x to be periodic (the image moves along x)");
+  if (grid.closure[1] == Closure::sheared &&
+      (grid.closure[0] != Closure::periodic || grid.closure[2] != Closure::periodic))
+    throw std::invalid_argument(
+        "sheared faces across y with boundaries across x or z (the image of a wall would move): make x and z periodic");
   if (setup.solid.empty()) return;
   const std::size_t layer = std::size_t(grid.size[0]), cells = layer * grid.size[1] * grid.size[2];
   if (setup.solid.size() != cells)

@@ -53,7 +53,7 @@ void for_each_cell_in_order(const Grid& grid, Visit&& visit) {
           }
 }
 
-/// The links of fluid cells for which `correction_of(global cell, j, faces crossed, global target)` gives a correction.
+/// The links of fluid cells for which `correction_of(j, faces crossed, global target)` gives a correction.
 template <class Stencil, class CorrectionOf>
 std::vector<WallLink> wall_links(const FluidSetup& setup, const std::vector<BlockLayout>& layouts,
                                  CorrectionOf&& correction_of) {

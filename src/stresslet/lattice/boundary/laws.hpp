@@ -1,6 +1,6 @@
 #pragma once
 /// The laws of open faces. Unsure: "half-way" for walls; "velocity" where fluid comes in and "pressure" where it
-/// leaves; the regularised ones where these become unstable.
+/// leaves; the regularised ones with BGK at relaxation times below 0.55, where these become unstable.
 ///
 ///   law                    boundary lies         prescribes               own error
 ///   half-way               half a cell outside   velocity along itself    slip of curved profiles, by magic number

@@ -2,12 +2,12 @@
 /// Openings: the populations that come in through a face, on the last layer of cells, from those that are known.
 ///
 /// Non-equilibrium bounce-back with the transverse momentum put right, in the form of Hecht & Harting, J. Stat. Mech.
-/// (2010) P01018, eqs. 13-19, for any stencil of velocity components -1, 0, 1 and any face of inward normal n:
+/// (2010) P01018, for any stencil of velocity components -1, 0, 1 and any face of inward normal n:
 ///   f_i = f_opposite(i) + w_i (6 c_i.m + c_i.q),   c_i.n > 0,
 ///   q = 18 (2/3 m_t - sum over c.n = 0 of f c),    m = sum f c as prescribed, m_t its part along the face,
 /// since   sum over c.n > 0 of w c_t c_t = 1/18.
 ///
-/// Regularised (Latt, Chopard, Malaspinas, Deville & Michler, Phys. Rev. E 77 (2008) 056703, eqs. 24-27): all
+/// Regularised (Latt, Chopard, Malaspinas, Deville & Michler, Phys. Rev. E 77 (2008) 056703): all
 /// populations of the cell become  f_i = feq_i + 9/2 w_i (c_i c_i - 1/3) : Pi,  Pi the second moment of f - feq with
 /// the unknown f - feq taken from the opposite ones. This is done last before the sweep and once a step, so that
 /// filling may be repeated.

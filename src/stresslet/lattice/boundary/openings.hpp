@@ -2,7 +2,7 @@
 /// What an opening prescribes on the last layer of cells of a face (the boundary lies on their centres). Known are the
 /// populations that move outwards or along the face; with `arrived` = sum along + 2 sum outwards (deviations from
 /// rest), mass and normal momentum (inwards) give   momentum_n = density_deviation - arrived,   and one of the two is
-/// prescribed (Zou & He, Phys. Fluids 9 (1997) 1591, eqs. 13-17 and 20-24). `momentum` is sum f c, half a body force
+/// prescribed (Zou & He, Phys. Fluids 9 (1997) 1591). `momentum` is sum f c, half a body force
 /// short of rho u.
 #include <string_view>
 
@@ -43,13 +43,13 @@ struct PressureOpening {
 
 struct RegularisedVelocity : VelocityOpening {
   static constexpr std::string_view name = "regularised-velocity";
-  static constexpr std::string_view summary = "Latt et al. 2008: as velocity, more stable and less exact";
+  static constexpr std::string_view summary = "Latt et al. 2008: as velocity, stabler with BGK, less exact";
   static constexpr bool regularised = true;
 };
 
 struct RegularisedPressure : PressureOpening {
   static constexpr std::string_view name = "regularised-pressure";
-  static constexpr std::string_view summary = "Latt et al. 2008: as pressure, more stable and less exact";
+  static constexpr std::string_view summary = "Latt et al. 2008: as pressure, stabler with BGK, less exact";
   static constexpr bool regularised = true;
 };
 

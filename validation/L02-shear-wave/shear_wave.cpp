@@ -105,12 +105,13 @@ double decay_over_scheme(Trial& trial, const std::string& stencil, double relaxa
 
 void shear_wave(Trial& trial) {
   const std::vector<int> sizes = trial.choose<std::vector<int>>({16, 32, 64}, {8, 16, 32});
+  const std::vector<double> scheme_times = trial.choose<std::vector<double>>({0.51, 0.6, 1, 3}, {0.51, 3});
   const int finest = sizes.back();
   const double relaxation_time = 0.8;
   trial.parameter("cells a wave length", double(finest));
   trial.parameter("relaxation time", relaxation_time);
   trial.parameter("amplitude, lattice units", speed);
-  const double bound = trial.choose(2e-3, 8e-3);
+  const double bound = trial.choose(1e-3, 4e-3);
   for (const std::string& collision : CollisionLaws::names())
     for (const bool tilted : {false, true})
       trial.row(fmt::format("{}, D3Q19, {}: viscosity over (tau - 1/2)/3", collision, tilted ? "tilted" : "straight"),
@@ -120,18 +121,20 @@ void shear_wave(Trial& trial) {
     trial.row(fmt::format("TRT, {}, tilted: viscosity over (tau - 1/2)/3", stencil),
               viscosity(trial, stencil, "TRT", relaxation_time, finest, true), {1, "exp(-nu k^2 t)"}, relative(bound));
 
-  for (const bool tilted : {false, true}) {
-    std::vector<double> errors;
-    for (const int cells : sizes)
-      errors.push_back(viscosity(trial, "D3Q19", "TRT", relaxation_time, cells, tilted) - 1);
-    trial.order_rows(tilted ? "viscosity, tilted" : "viscosity, straight", sizes, errors, 2, 1.8, 2.3);
+  // Laws and relaxation times whose leading error does not vanish by chance.
+  std::vector<double> straight, tilted;
+  for (const int cells : sizes) {
+    straight.push_back(viscosity(trial, "D3Q19", "TRT", 0.8, cells, false) - 1);
+    tilted.push_back(viscosity(trial, "D3Q19", "BGK", 1, cells, true) - 1);
   }
+  trial.order_rows("viscosity, straight (TRT, tau 0.8)", sizes, straight, 2, 1.8, 2.3);
+  trial.order_rows("viscosity, tilted (BGK, tau 1)", sizes, tilted, 2, 1.8, 2.3);
   Stencils::for_each([&](auto stencil) {
     CollisionLaws::for_each([&](auto collision) {
       using Collision = typename decltype(collision)::type;
       const std::string name(decltype(stencil)::type::name);
       double worst = 1;
-      for (const double tau : {0.51, 0.6, 1.0, 3.0}) {
+      for (const double tau : scheme_times) {
         const double found = decay_over_scheme<Collision>(trial, name, tau, 32);
         if (!(std::abs(found - 1) <= std::abs(worst - 1))) worst = found;
       }

@@ -1,5 +1,7 @@
 /// Plane Couette flow between half-way walls that move along themselves: the linear profile is exact at every node for
-/// any collision law, relaxation time and magic parameter, and so are strain rate and viscous stress.
+/// any collision law, relaxation time and magic parameter, and so is the shear stress read from the populations. The
+/// other components hold small stresses of second order in the shear rate, which Navier-Stokes does not know (Burnett);
+/// they are not judged.
 #include <algorithm>
 #include <cmath>
 
@@ -45,8 +47,7 @@ Found measure(Trial& trial, const Channel& channel) {
     larger(found.velocity, norm(s.velocity - (from + (c + 0.5) / cells * rise)) / scale);
     const SymTensor3<double> off =
         s.strain_rate - SymTensor3<double>{0, 0, 0, rise.x / (2 * cells), 0, rise.z / (2 * cells)};
-    for (const double part : {off.xx, off.yy, off.zz, off.xy, off.xz, off.yz})
-      larger(found.strain_rate, std::abs(part) * cells / scale);
+    for (const double part : {off.xy, off.yz}) larger(found.strain_rate, std::abs(part) * cells / scale);
   }
   return found;
 }
@@ -60,7 +61,7 @@ void couette(Trial& trial) {
   const auto rows = [&](const std::string& name, const Channel& channel) {
     const Found found = measure(trial, channel);
     trial.row(name + ": largest error of velocity", found.velocity, {0, "linear profile"}, absolute(1e-10));
-    trial.row(name + ": largest error of strain rate", found.strain_rate, {0, "linear profile"}, absolute(1e-9));
+    trial.row(name + ": largest error of shear rate", found.strain_rate, {0, "linear profile"}, absolute(1e-10));
   };
   for (const std::string& collision : CollisionLaws::names())
     for (const double tau : trial.choose<std::vector<double>>({0.51, 0.8, 3}, {0.8, 3}))

@@ -106,10 +106,10 @@ struct Regime {
 }  // namespace
 
 void womersley(Trial& trial) {
-  const std::vector<Regime> regimes{{1, 0.8, 2, {8, 16, 32}, {4, 8, 16}},
-                                    {4, 0.8, 4, {16, 32, 64}, {8, 16, 32}},
-                                    {10, 0.8, 12, {32, 64, 128}, {16, 32, 64}}};
-  const double bound = trial.choose(2e-3, 8e-3);
+  const std::vector<Regime> regimes{{1, 0.8, 2, {16, 32, 64}, {8, 16, 32}},
+                                    {4, 0.8, 4, {32, 64, 128}, {16, 32, 64}},
+                                    {10, 0.8, 12, {64, 128, 256}, {32, 64, 128}}};
+  const double bound = trial.choose(2e-4, 8e-4);
   for (const Regime& regime : regimes) {
     const std::vector<int>& sizes = trial.quick() ? regime.quick : regime.full;
     const std::string name = fmt::format("alpha {}", regime.alpha), source = "closed form";

@@ -52,7 +52,7 @@ Found measure(Trial& trial, const std::string& collision, double relaxation_time
 
 void stokes_first_problem(Trial& trial) {
   const std::vector<int> sizes = trial.choose<std::vector<int>>({64, 128, 256}, {32, 64, 128});
-  const double relaxation_time = 0.8, bound = trial.choose(2e-3, 8e-3);
+  const double relaxation_time = 0.8, bound = trial.choose(1e-3, 4e-3);
   trial.parameter("cells to the far wall", double(sizes.back()));
   trial.parameter("2 sqrt(nu t), cells", sizes.back() / 8.0);
   trial.parameter("relaxation time", relaxation_time);

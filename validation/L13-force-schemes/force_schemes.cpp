@@ -46,7 +46,7 @@ double velocity_error(Trial& trial, const std::string& collision, const std::str
 double spurious_stress(Trial& trial, const std::string& forcing, double relaxation_time) {
   const double force = 1e-5;
   Flow flow = periodic_flow(trial, "BGK", forcing, relaxation_time, {force, 0, 0});
-  flow.advance(20);
+  flow.advance(40);  // |1 - 1/tau|^40 forgets the start; u^3 is still small
   const std::vector<double> f = flow.fluid().populations(trial.team());
   const std::size_t cells = f.size() / D3Q19::size;
   double stress = 0, momentum = 0;
@@ -104,13 +104,13 @@ void force_schemes(Trial& trial) {
         if (name == ExactDifference::name) rest = 0.25;
         if (name == VelocityShift::name) rest = (tau - 0.5) * (tau - 0.5);
         trial.row(fmt::format("{}, tau {}: spurious stress over F F", name, tau), spurious_stress(trial, name, tau),
-                  {rest, "moment recursion"}, absolute(1e-4));
+                  {rest, "moment recursion"}, absolute(5e-5));
       }
       const Column column = column_at_rest(trial, name);
       trial.row(name + ": column at rest, largest velocity over F", column.velocity, {0, "hydrostatics"},
-                absolute(1e-3));
+                absolute(1e-10));
       trial.row(name + ": column at rest, largest error of density over its rise", column.density, {0, "hydrostatics"},
-                absolute(1e-4));
+                absolute(1e-9));
     }
   });
 }

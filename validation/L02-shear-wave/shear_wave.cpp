@@ -127,8 +127,8 @@ void shear_wave(Trial& trial) {
     straight.push_back(viscosity(trial, "D3Q19", "TRT", 0.8, cells, false) - 1);
     tilted.push_back(viscosity(trial, "D3Q19", "BGK", 1, cells, true) - 1);
   }
-  trial.order_rows("viscosity, straight (TRT, tau 0.8)", sizes, straight, 2, 1.8, 2.3);
-  trial.order_rows("viscosity, tilted (BGK, tau 1)", sizes, tilted, 2, 1.8, 2.3);
+  trial.order_rows("viscosity, straight (TRT, tau 0.8)", sizes, straight, 2, 1.85, 2.15);
+  trial.order_rows("viscosity, tilted (BGK, tau 1)", sizes, tilted, 2, 1.85, 2.15);
   Stencils::for_each([&](auto stencil) {
     CollisionLaws::for_each([&](auto collision) {
       using Collision = typename decltype(collision)::type;

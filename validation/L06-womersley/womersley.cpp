@@ -141,7 +141,7 @@ void womersley(Trial& trial) {
       }
       trial.table(std::move(profile));
     }
-    trial.order_rows(name + ", profile", sizes, errors, 2, 1.8, 2.3);
+    trial.order_rows(name + ", profile", sizes, errors, 2, trial.choose(1.9, 1.8), trial.choose(2.1, 2.25));
   }
   const int cells = trial.choose(64, 32);
   for (const char* collision : {"BGK", "MRT"}) {

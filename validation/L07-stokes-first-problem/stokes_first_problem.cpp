@@ -68,8 +68,8 @@ void stokes_first_problem(Trial& trial) {
                    {{"y", "2 sqrt(nu t)", ""}, {"velocity", "U", ""}, {"exact", "U", ""}},
                    {found.position, found.velocity, found.exact}});
   }
-  trial.order_rows("velocity", sizes, velocity, 2, 1.8, 2.3);
-  trial.order_rows("strain rate", sizes, strain, 2, 1.8, 2.3);
+  trial.order_rows("velocity", sizes, velocity, 2, 1.9, 2.1);
+  trial.order_rows("strain rate", sizes, strain, 2, 1.9, 2.1);
   const auto rows = [&](const std::string& collision, double tau) {
     const Found found = measure(trial, collision, tau, sizes.back());
     const std::string name = fmt::format("{}, tau {}", collision, tau);

@@ -79,7 +79,7 @@ void sheared_profile(Trial& trial) {
   for (const int cells : sizes) errors.push_back(transient_error(trial, cells));
   trial.row(fmt::format("from rest, {} cells: profile at nu t = L^2/40, relative L2 error", sizes.back()),
             errors.back(), {0, "Fourier series"}, absolute(trial.choose(1e-3, 4e-3)));
-  trial.order_rows("profile", sizes, errors, 2, 1.8, 2.3);
+  trial.order_rows("profile", sizes, errors, 2, 1.9, 2.15);
 
   const int relaxed = int(36 * size[1] * size[1] / (4 * pi * pi * viscosity)), early = 100;
   const double cells = double(size[0] * size[1] * size[2]);

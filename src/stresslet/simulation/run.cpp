@@ -169,7 +169,8 @@ ExitCode finish_or_explain(Run& run) {
     run.progress.finish();
     throw NumericalFailure(
         {"",
-         fmt::format("{}\n  kept: the state at strain {:.6g}, from which 'stresslet restart {}' goes on",
+         fmt::format("{}\n  kept: all results up to strain {:.6g}. 'stresslet restart {}' goes on from there with the "
+                     "same physics and time step; a new run can start from the last snapshot (suspension.file)",
                      failure.what(), run.committed_strain, run.results.path().string()),
          "", ""});
   }

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "stresslet/base/error.hpp"
 #include "stresslet/io/atomic_file.hpp"
 #include "stresslet/io/csv.hpp"
 
@@ -79,11 +78,6 @@ std::string json_text(const Case& what, const Trial& trial, double seconds, cons
 
 void write_results(const std::filesystem::path& folder, const Case& what, const Trial& trial, double seconds,
                    const Provenance& provenance) {
-  std::error_code failed;
-  std::filesystem::create_directories(folder, failed);
-  if (!std::filesystem::is_directory(folder))
-    throw InputError({"", "the folder " + folder.string() + " cannot be made", failed.message(),
-                      "choose another one with --output"});
   for (const Table& t : trial.tables()) {
     std::string text = csv_header(t.columns);
     std::vector<double> line(t.columns.size());

@@ -15,7 +15,7 @@ std::string table_text(const Case& what, const Trial& trial);
 /// error_is "relative" | "absolute", tolerance [lowest, highest], verdict}, provenance.
 std::string json_text(const Case& what, const Trial& trial, double seconds, const Provenance& provenance);
 
-/// Writes validation.json and the tables into `folder`, made if needed; what lies there already is replaced.
+/// Writes validation.json and the tables into `folder`; what lies there already is replaced.
 void write_results(const std::filesystem::path& folder, const Case& what, const Trial& trial, double seconds,
                    const Provenance& provenance);
 

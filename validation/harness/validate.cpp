@@ -7,6 +7,7 @@
 
 #include "stresslet/exec/timer.hpp"
 #include "stresslet/io/nearest_word.hpp"
+#include "stresslet/io/results_folder.hpp"
 #include "validation/harness/report.hpp"
 
 namespace stresslet::validation {
@@ -14,12 +15,13 @@ namespace stresslet::validation {
 namespace {
 
 bool passes(const Case& what, const ValidateOptions& options) {
+  const std::filesystem::path folder = options.folder_per_case ? options.output / what.id : options.output;
+  prepare_output_folder(folder, true);
   Trial trial(options.quick, options.threads, options.quiet);
   const Timer timer;
   what.run(trial);
   trial.progress().finish();
   const double seconds = timer.seconds();
-  const std::filesystem::path folder = options.folder_per_case ? options.output / what.id : options.output;
   write_results(folder, what, trial, seconds, provenance(options.command_line, options.threads, 0));
   fmt::print("{}  {:.1f} s, {}\n\n", table_text(what, trial), seconds, (folder / "validation.json").string());
   std::fflush(stdout);

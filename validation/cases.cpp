@@ -17,6 +17,7 @@ void couette(Trial&);
 void square_duct(Trial&);
 void womersley(Trial&);
 void stokes_first_problem(Trial&);
+void cylindrical_couette(Trial&);
 void kelvin_mode(Trial&);
 void sheared_profile(Trial&);
 void lid_driven_cavity(Trial&);
@@ -32,6 +33,7 @@ constexpr Case list[] = {
     {"L5", "L05-square-duct", "flow along a square duct", square_duct},
     {"L6", "L06-womersley", "oscillating flow between plates", womersley},
     {"L7", "L07-stokes-first-problem", "a plate set moving in a fluid at rest", stokes_first_problem},
+    {"L8", "L08-cylindrical-couette", "flow between cylinders made of voxels", cylindrical_couette},
     {"L9", "L09-kelvin-mode", "Kelvin mode under the sheared boundary", kelvin_mode},
     {"L10", "L10-sheared-profile", "relaxation to the linear profile under the sheared boundary", sheared_profile},
     {"L12", "L12-lid-driven-cavity", "lid-driven cavity at Reynolds number 100", lid_driven_cavity},

@@ -14,7 +14,7 @@ struct ValidateOptions {
   bool folder_per_case = true;  ///< results of a case in OUTPUT/ID rather than OUTPUT
   bool quick = false, quiet = false;
   int threads = 1;
-  std::string command_line;
+  std::string command_line = {};
 };
 
 /// ExitCode::disagreement if a row of any case lies outside its tolerance.

@@ -67,9 +67,9 @@ class FluidOf : public Fluid {
     for_each_cell(team, [&](const auto& block, const Cells& global, std::size_t index) {
       for (int a = 0; a < 3; ++a)
         if (global[a] < first[a] || global[a] > last[a] || (global[a] - first[a]) % stride[a] != 0) return;
-      visit(global, is_solid(global)
-                        ? CellState{}
-                        : state_of_(incoming(block.populations, lattice_.arrangement, index), lattice_.input.rates, force));
+      visit(global, is_solid(global) ? CellState{}
+                                     : state_of_(incoming(block.populations, lattice_.arrangement, index),
+                                                 lattice_.input.rates, force));
     });
   }
 

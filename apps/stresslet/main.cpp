@@ -18,11 +18,12 @@ constexpr const char* description =
     "  stresslet new case.toml                          a commented input to start from\n"
     "  stresslet check case.toml                        what it means: steps, limits, memory, time\n"
     "  stresslet run case.toml --output results         run it\n"
-    "  stresslet restart results --set run.strain=20    go on, or go on after a stop\n";
+    "  stresslet restart results --set run.strain=20    go on, or go on after a stop\n"
+    "  stresslet validate all --quick                   published cases beside their references\n";
 
 constexpr const char* exit_codes =
-    "Exit codes: 0 finished, 2 wrong input, 3 numerical failure during a run, 4 stopped with a checkpoint, 1 anything "
-    "else.";
+    "Exit codes: 0 finished, 2 wrong input, 3 numerical failure during a run, 4 stopped with a checkpoint, 5 a "
+    "validation outside its tolerance, 1 anything else.";
 
 int fail(stresslet::ExitCode code, const char* message) {
   fmt::print(stderr, "stresslet: {}\n", message);
@@ -46,6 +47,7 @@ int main(int argc, char** argv) {
   stresslet::add_run(app, code, command_line);
   stresslet::add_restart(app, code, command_line);
   stresslet::add_list(app, code);
+  stresslet::add_validate(app, code, command_line);
 
   try {
     app.parse(argc, argv);

@@ -15,7 +15,7 @@ TEST(CommandLine, HelpOfEverySubcommand) {
   const Outcome all = stresslet({"--help"});
   EXPECT_EQ(all.code, 0);
   EXPECT_THAT(all.out, HasSubstr("Exit codes: 0 finished, 2 wrong input, 3 numerical failure"));
-  for (const char* command : {"new", "check", "run", "restart", "list"}) {
+  for (const char* command : {"new", "check", "run", "restart", "list", "validate"}) {
     EXPECT_THAT(all.out, HasSubstr(command));
     const Outcome help = stresslet({command, "--help"});
     EXPECT_EQ(help.code, 0) << command;
@@ -58,7 +58,9 @@ TEST(CommandLine, WrongArgumentsHaveExitCode2) {
                                                     {"restart"},
                                                     {"check"},
                                                     {"new"},
-                                                    {"list", "stars"}};
+                                                    {"list", "stars"},
+                                                    {"validate"},
+                                                    {"validate", "L99"}};
   for (const auto& arguments : wrong) {
     const Outcome outcome = stresslet(arguments);
     EXPECT_EQ(outcome.code, 2) << ::testing::PrintToString(arguments);

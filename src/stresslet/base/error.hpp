@@ -7,7 +7,7 @@
 
 namespace stresslet {
 
-enum class ExitCode : int { success = 0, internal = 1, input = 2, numerical = 3, interrupted = 4 };
+enum class ExitCode : int { success = 0, internal = 1, input = 2, numerical = 3, interrupted = 4, disagreement = 5 };
 
 /// Problem, reason and fix, each a sentence or clause without a final full stop; `where` may be empty.
 struct Complaint {

@@ -16,11 +16,22 @@ SymTensor3<double> with_separate_trace(const SymTensor3<double>& s, double devia
   return deviator_factor * (s - isotropic) + trace_factor * isotropic;
 }
 
+/// The cell whose target the strain rate is read against: the law's own, or its `Reading`.
+template <class Forcing, class Stencil>
+struct ReadingCell {
+  using type = typename Forcing::template Cell<Stencil, double>;
+};
+template <class Forcing, class Stencil>
+requires requires { typename Forcing::template Reading<Stencil, double>; }
+struct ReadingCell<Forcing, Stencil> {
+  using type = typename Forcing::template Reading<Stencil, double>;
+};
+
 template <class Stencil, class Forcing>
 CellState state_of(const CellPopulations<Stencil, double>& f, const RelaxationRates& rates,
                    const BodyForce<double>& force) {
   const Moments<double> m = moments_of(f);
-  const typename Forcing::template Cell<Stencil, double> forcing(m, force);
+  const typename ReadingCell<Forcing, Stencil>::type forcing(m, force);
   CellPopulations<Stencil, double> g;
   g.rest = f.rest - forcing.rest_target();
   unroll<Stencil::pairs>([&](auto k) {

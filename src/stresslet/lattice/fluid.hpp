@@ -36,6 +36,8 @@ struct FluidSetup {
   double shear_velocity_lu = 0;                   ///< velocity of the image above minus that of the box; sheared y only
   std::string shear_interpolation = "cubic";      ///< a name from ShearInterpolations
   std::vector<std::uint8_t> solid;  ///< one byte a cell, x fastest, 1 = solid (half-way walls); may be empty
+  /// Velocity of the surface of solid cells at a place, corners of cells at whole numbers; at rest where not given.
+  std::function<Vec3<double>(const Vec3<double>&)> solid_velocity_lu;
 };
 
 struct CellState {

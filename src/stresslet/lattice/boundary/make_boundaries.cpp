@@ -35,10 +35,14 @@ void add_walls(const FluidSetup& setup, const std::vector<BlockLayout>& layouts,
 template <class Stencil, class T>
 void add_solid(const FluidSetup& setup, const std::vector<BlockLayout>& layouts, Boundaries<Stencil, T>& boundaries) {
   if (setup.solid.empty()) return;
-  auto links =
-      wall_links<Stencil>(setup, layouts, [&](int, const Cells& crossed, const Cells& target) -> std::optional<double> {
+  auto links = wall_links<Stencil>(
+      setup, layouts, [&](int j, const Cells& crossed, const Cells& target) -> std::optional<double> {
         if (!meets_solid(setup, crossed, target)) return std::nullopt;
-        return 0;
+        if (!setup.solid_velocity_lu) return 0;
+        const auto& c = Stencil::velocity[j];
+        return wall_correction<Stencil>(
+            j, setup.solid_velocity_lu(
+                   {target[0] + 0.5 * (1 - c[0]), target[1] + 0.5 * (1 - c[1]), target[2] + 0.5 * (1 - c[2])}));
       });
   boundaries.push_back(std::make_unique<SolidBoundary<Stencil, T>>(std::move(links), solid_runs(setup, layouts)));
 }

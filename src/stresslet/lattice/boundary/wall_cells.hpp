@@ -8,7 +8,8 @@
 /// arrangements; so a wall at rest needs no work at all, and a moving one adds its correction to what has just gone
 /// out. The place that the next sweep does not read holds populations on their way through the wall.
 ///
-/// Solid cells: half-way walls between fluid and solid, so the two places are to agree. Solid cells are swept as if
+/// Solid cells: half-way walls between fluid and solid, so the two places are to agree, up to the correction of a
+/// surface that moves (along itself on the whole, or mass is pumped). Solid cells are swept as if
 /// they were fluid, which writes to no place that lasts, and set back to the rest state after every sweep.
 #include <vector>
 
@@ -80,14 +81,14 @@ class SolidBoundary : public Boundary<Stencil, T> {
     if (lattice.arrangement != Arrangement::departing) return;
     const Range share = member.share(links_.size());
     for (std::size_t k = share.begin; k < share.end; ++k)
-      links_[k].beyond_place(lattice) = links_[k].inside_place(lattice);
+      links_[k].beyond_place(lattice) = links_[k].inside_place(lattice) + T(links_[k].correction);
   }
 
   void after_sweep(Lattice<Stencil, T>& lattice, Arrangement swept, Member& member) override {
     if (swept == Arrangement::departing) {
       const Range share = member.share(links_.size());
       for (std::size_t k = share.begin; k < share.end; ++k)
-        links_[k].inside_place(lattice) = links_[k].beyond_place(lattice);
+        links_[k].inside_place(lattice) = links_[k].beyond_place(lattice) + T(links_[k].correction);
       member.barrier();  // places beyond lie in solid cells
     }
     const Range share = member.share(solid_.size());

@@ -5,6 +5,7 @@
 /// A law is made once per cell from the moments of the streamed populations and gives the populations the collision
 /// relaxes towards (`rest_target`, `target<i>`) and those it adds unrelaxed (`rest_added`, `added<i>`):
 ///   f' = f - Lambda (f - target) + added,   Lambda the relaxation operator of the collision law.
+/// A law may name another cell, `Reading`, whose target the strain rate is read against (cell_state.hpp).
 /// Macroscopic velocity for every law: u = (sum f c + F/2) / rho.
 #include <string_view>
 

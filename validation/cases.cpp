@@ -1,0 +1,58 @@
+#include "validation/cases.hpp"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "stresslet/base/error.hpp"
+#include "stresslet/io/nearest_word.hpp"
+
+namespace stresslet::validation {
+
+// One function a folder, defined in the folder's source file.
+void taylor_green(Trial&);
+void shear_wave(Trial&);
+void poiseuille(Trial&);
+void couette(Trial&);
+void square_duct(Trial&);
+void womersley(Trial&);
+void stokes_first_problem(Trial&);
+void cylindrical_couette(Trial&);
+void kelvin_mode(Trial&);
+void sheared_profile(Trial&);
+void lid_driven_cavity(Trial&);
+void force_schemes(Trial&);
+
+namespace {
+
+constexpr Case list[] = {
+    {"L1", "L01-taylor-green", "Taylor-Green vortices", taylor_green},
+    {"L2", "L02-shear-wave", "decay of a shear wave, straight and tilted", shear_wave},
+    {"L3", "L03-poiseuille", "plane Poiseuille flow between half-way walls", poiseuille},
+    {"L4", "L04-couette", "plane Couette flow between moving walls", couette},
+    {"L5", "L05-square-duct", "flow along a square duct", square_duct},
+    {"L6", "L06-womersley", "oscillating flow between plates", womersley},
+    {"L7", "L07-stokes-first-problem", "a plate set moving in a fluid at rest", stokes_first_problem},
+    {"L8", "L08-cylindrical-couette", "flow between cylinders made of voxels", cylindrical_couette},
+    {"L9", "L09-kelvin-mode", "Kelvin mode under the sheared boundary", kelvin_mode},
+    {"L10", "L10-sheared-profile", "relaxation to the linear profile under the sheared boundary", sheared_profile},
+    {"L12", "L12-lid-driven-cavity", "lid-driven cavity at Reynolds number 100", lid_driven_cavity},
+    {"L13", "L13-force-schemes", "uniform force: what each forcing law leaves", force_schemes},
+};
+
+}  // namespace
+
+std::span<const Case> cases() { return list; }
+
+const Case& case_called(std::string_view id) {
+  const auto found = std::ranges::find(list, id, &Case::id);
+  if (found != std::end(list)) return *found;
+  std::vector<std::string> known;
+  for (const Case& c : list) known.emplace_back(c.id);
+  const auto near = nearest_word(id, known);
+  throw InputError({"", "there is no validation case \"" + std::string(id) + "\"",
+                    "known cases: " + comma_separated(known),
+                    near ? "did you mean " + *near + "?" : "stresslet validate list shows what each is"});
+}
+
+}  // namespace stresslet::validation

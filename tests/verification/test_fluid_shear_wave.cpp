@@ -20,7 +20,7 @@ TEST_P(ShearWave, DecaysWithTheViscosity) {
   setup.grid.blocks = {1, 2, 1};
   setup.rates.relaxation_time = 0.8;
   const double k = 2 * pi / 64, viscosity = kinematic_viscosity_lu(0.8), speed = 1e-3;
-  ThreadTeam team(2);
+  ThreadTeam team(1);
   const auto fluid = Fluid::make(setup);
   fluid->initialise(team, [&](const Cells& c) {
     CellState s;

@@ -24,9 +24,10 @@ class FluidOf : public Fluid {
         boundaries_(make_boundaries<Stencil, T>(setup)),
         sweep_(sweep_for<Stencil, T>(setup.collision, setup.forcing)),
         solid_(setup.solid) {
-    CollisionLaws::dispatch(setup.collision, [&](auto c) { input_.rates = decltype(c)::type::rates(setup.rates); });
+    CollisionLaws::dispatch(setup.collision,
+                            [&](auto c) { lattice_.input.rates = decltype(c)::type::rates(setup.rates); });
     ForcingLaws::dispatch(setup.forcing, [&](auto f) { state_of_ = state_of<Stencil, typename decltype(f)::type>; });
-    input_.force_density = {0, 0, 0};
+    lattice_.shear_velocity = setup.shear_velocity_lu;
   }
 
   const Grid& grid() const override { return lattice_.grid; }
@@ -37,23 +38,24 @@ class FluidOf : public Fluid {
     return sum;
   }
 
-  void set_force_density(const Vec3<double>& force_lu) override { input_.force_density = force_lu; }
-  void set_shear_offset(double offset_lu) override { shear_offset_ = offset_lu; }
-  double shear_offset() const override { return shear_offset_; }
+  void set_force_density(const Vec3<double>& force_lu) override { lattice_.input.force_density = force_lu; }
+  void set_shear_offset(double offset_lu) override { lattice_.shear_offset = lattice_.departure_offset = offset_lu; }
+  double shear_offset() const override { return lattice_.shear_offset; }
 
   void initialise(ThreadTeam& team, const std::function<CellState(const Cells&)>& state) override {
     lattice_.arrangement = Arrangement::arrived;
     lattice_.steps = 0;
     const BodyForce<double> force = body_force();
     for_each_cell(team, [&](const auto& block, const Cells& global, std::size_t index) {
-      const auto f = populations_of<Stencil>(is_solid(global) ? CellState{} : state(global), input_.rates, force);
+      const auto f =
+          populations_of<Stencil>(is_solid(global) ? CellState{} : state(global), lattice_.input.rates, force);
       for (int i = 0; i < Stencil::size; ++i) block.populations.slot(i)[index] = T(f[i]);
     });
   }
 
   void advance(ThreadTeam& team, int steps) override {
     team.run([&](Member& member) {
-      for (int n = 0; n < steps; ++n) step(lattice_, sweep_, input_, boundaries_, member);
+      for (int n = 0; n < steps; ++n) step(lattice_, sweep_, boundaries_, member);
     });
   }
 
@@ -64,7 +66,7 @@ class FluidOf : public Fluid {
     for_each_cell(team, [&](const auto& block, const Cells& global, std::size_t index) {
       for (int a = 0; a < 3; ++a)
         if (global[a] < first[a] || global[a] > last[a] || (global[a] - first[a]) % stride[a] != 0) return;
-      visit(global, state_of_(incoming(block.populations, lattice_.arrangement, index), input_.rates, force));
+      visit(global, state_of_(incoming(block.populations, lattice_.arrangement, index), lattice_.input.rates, force));
     });
   }
 
@@ -133,7 +135,7 @@ class FluidOf : public Fluid {
     return std::size_t(c[0]) + std::size_t(n[0]) * (std::size_t(c[1]) + std::size_t(n[1]) * std::size_t(c[2]));
   }
   bool is_solid(const Cells& c) const { return !solid_.empty() && solid_[cell_number(c)]; }
-  BodyForce<double> body_force() const { return {input_.force_density, input_.rates.odd}; }
+  BodyForce<double> body_force() const { return {lattice_.input.force_density, lattice_.input.rates.odd}; }
 
   void prepare(ThreadTeam& team) {
     team.run([&](Member& member) { prepare_step(lattice_, boundaries_, member); });
@@ -155,9 +157,7 @@ class FluidOf : public Fluid {
   Boundaries<Stencil, T> boundaries_;
   Sweep<Stencil, T> sweep_;
   StateOf<Stencil> state_of_ = nullptr;
-  SweepInput input_;
   std::vector<std::uint8_t> solid_;
-  double shear_offset_ = 0;
 };
 
 }  // namespace

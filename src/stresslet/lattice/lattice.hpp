@@ -8,6 +8,7 @@
 #include "stresslet/lattice/grid.hpp"
 #include "stresslet/lattice/moments.hpp"
 #include "stresslet/lattice/populations.hpp"
+#include "stresslet/lattice/sweep.hpp"
 
 namespace stresslet {
 
@@ -28,8 +29,14 @@ struct Lattice {
 
   Grid grid;
   std::vector<Block<Stencil, T>> blocks;
+  SweepInput input;
   Arrangement arrangement = Arrangement::arrived;
   std::int64_t steps = 0;
+
+  // The image above a sheared boundary; lattice units.
+  double shear_velocity = 0;    ///< of the image
+  double shear_offset = 0;      ///< its displacement at the present time
+  double departure_offset = 0;  ///< its displacement when the populations under way were collided
 };
 
 /// Calls `body(block, y, z)` for this member's share of the rows of every block.

@@ -1,7 +1,8 @@
 #pragma once
 /// One time step of the fluid.
+#include <cmath>
+
 #include "stresslet/lattice/lattice.hpp"
-#include "stresslet/lattice/sweep.hpp"
 
 namespace stresslet {
 
@@ -19,13 +20,13 @@ void prepare_step(Lattice<Stencil, T>& lattice, const Boundaries<Stencil, T>& bo
 
 /// Streams and collides every cell once. All members of the team call it; ends with a barrier.
 template <class Stencil, class T>
-void step(Lattice<Stencil, T>& lattice, Sweep<Stencil, T> sweep, const SweepInput& input,
-          const Boundaries<Stencil, T>& boundaries, Member& member) {
+void step(Lattice<Stencil, T>& lattice, Sweep<Stencil, T> sweep, const Boundaries<Stencil, T>& boundaries,
+          Member& member) {
   prepare_step(lattice, boundaries, member);
   const Arrangement swept = lattice.arrangement;
   for (const auto& block : lattice.blocks) {
     const Range rows = member.share(block.populations.layout().rows());
-    sweep(block.populations, swept, input, rows.begin, rows.end);
+    sweep(block.populations, swept, lattice.input, rows.begin, rows.end);
   }
   member.barrier();
   for (const auto& boundary : boundaries) boundary->look_after_sweep(lattice, member);
@@ -37,6 +38,8 @@ void step(Lattice<Stencil, T>& lattice, Sweep<Stencil, T> sweep, const SweepInpu
   if (member.rank() == 0) {
     lattice.arrangement = other(swept);
     ++lattice.steps;
+    lattice.departure_offset = lattice.shear_offset;
+    lattice.shear_offset = std::fmod(lattice.shear_offset + lattice.shear_velocity, double(lattice.grid.size[0]));
   }
   member.barrier();
 }

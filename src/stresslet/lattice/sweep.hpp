@@ -14,8 +14,8 @@
 namespace stresslet {
 
 struct SweepInput {
-  RelaxationRates rates;
-  Vec3<double> force_density;
+  RelaxationRates rates{};
+  Vec3<double> force_density{};
 };
 
 /// Steps the rows [first, last) of the block, row = y + ny z.

@@ -1,6 +1,7 @@
 #include "stresslet/lattice/boundary/make_boundaries.hpp"
 
 #include "stresslet/lattice/boundary/links.hpp"
+#include "stresslet/lattice/boundary/sheared.hpp"
 #include "stresslet/lattice/laws.hpp"
 
 namespace stresslet {
@@ -9,6 +10,8 @@ template <class Stencil, class T>
 Boundaries<Stencil, T> make_boundaries(const FluidSetup& setup) {
   Boundaries<Stencil, T> boundaries;
   boundaries.push_back(std::make_unique<LinkBoundary<Stencil, T>>(exchange_links<Stencil>(setup.grid)));
+  if (setup.grid.closure[1] == Closure::sheared)
+    boundaries.push_back(std::make_unique<ShearedBoundary<Stencil, T>>(setup.grid, setup.shear_interpolation));
   const auto wall = [&](int axis, int side) -> std::optional<Vec3<double>> {
     const FaceSetup& face = setup.faces[std::size_t(axis)][side > 0];
     if (face.law != "half-way") return std::nullopt;

@@ -1,10 +1,10 @@
-/// Rates of the fluid's time step beside what the memory of this machine can do, in one run: every round measures each line
-/// once, and a line's ratio to a probe is the median over rounds of the ratio within a round, so that a machine that
-/// slows down meanwhile slows both.
+/// Rates of the fluid's time step beside what the memory of this machine can do, in one run: every round measures each
+/// line once, and a line's ratio to a probe is the median over rounds of the ratio within a round, so that a machine
+/// that slows down meanwhile slows both.
 ///
 /// usage: bench_fluid [cells along an edge, default 200] [rounds, default 9]
-/// Probes, arrays of 4 GiB: (a) one array read and written in place, (b) 19 streams read and written in place, as rates of
-/// cells at 304 bytes each.
+/// Probes, arrays of 4 GiB: (a) one array read and written in place, (b) 19 streams read and written in place, as rates
+/// of cells at 304 bytes each.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -109,17 +109,20 @@ void run(int edge, int rounds) {
   };
   fmt::print("{} cells cubed, {} rounds; D3Q19; {:.1f} bytes per cell FP64, {:.1f} FP32\n", edge, rounds,
              bgk.bytes_per_cell(), single.bytes_per_cell());
-  fmt::print("{:<22}{:>12}{:>12}{:>14}{:>14}{:>16}\n", "", "best MLUPS", "median", "/ probe a", "/ probe b", "/ BGK FP64");
+  fmt::print("{:<22}{:>12}{:>12}{:>14}{:>14}{:>16}\n", "", "best MLUPS", "median", "/ probe a", "/ probe b",
+             "/ BGK FP64");
   for (const Line& line : lines)
     fmt::print("{:<22}{:>12.1f}{:>12.1f}{:>14.2f}{:>14.2f}{:>16.2f}\n", line.name,
-               1e-6 * *std::max_element(line.found.begin(), line.found.end()), 1e-6 * median(line.found), ratio(line, 0),
-               ratio(line, 1), ratio(line, 2));
+               1e-6 * *std::max_element(line.found.begin(), line.found.end()), 1e-6 * median(line.found),
+               ratio(line, 0), ratio(line, 1), ratio(line, 2));
 }
 
 }  // namespace
 }  // namespace stresslet
 
 int main(int argc, char** argv) {
-  const auto argument = [&](int k, int otherwise) { return argc > k && argv[k][0] != '-' ? std::atoi(argv[k]) : otherwise; };
+  const auto argument = [&](int k, int otherwise) {
+    return argc > k && argv[k][0] != '-' ? std::atoi(argv[k]) : otherwise;
+  };
   stresslet::run(argument(1, 200), argument(2, 9));
 }

@@ -88,6 +88,10 @@ void check_face(const FluidCase& read, std::size_t axis, std::size_t side) {
 }
 
 void check_boundaries(const FluidCase& read) {
+  if (read.boundaries.shear_rate && (read.boundaries.faces[0][0] || read.boundaries.faces[0][1]))
+    refuse(read.where("boundaries.shear_rate"), "a sheared box must be periodic along x",
+           "its image is displaced along x, and would carry the faces along",
+           "remove the faces across x, or the shear rate");
   std::size_t opening_axis = 3;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto& [low, high] = read.boundaries.faces[axis];

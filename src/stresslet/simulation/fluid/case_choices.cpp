@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "stresslet/lattice/boundary/interpolation.hpp"
 #include "stresslet/lattice/laws.hpp"
 #include "stresslet/simulation/fluid/fields.hpp"
 #include "stresslet/simulation/fluid/initial_fields.hpp"
@@ -19,7 +20,7 @@ std::vector<std::string> body_force_law_names() {
 
 std::vector<std::string> boundary_law_names() { return {"half-way"}; }
 BoundaryKind boundary_kind(std::string_view) { return BoundaryKind::wall; }
-std::vector<std::string> shear_interpolation_names() { return {"cubic"}; }
+std::vector<std::string> shear_interpolation_names() { return ShearInterpolations::names(); }
 std::vector<std::string> initial_field_names() { return InitialFields::names(); }
 
 std::vector<std::string> field_names() {

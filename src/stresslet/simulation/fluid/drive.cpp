@@ -1,19 +1,11 @@
 #include "stresslet/simulation/fluid/drive.hpp"
 
-#include <cmath>
-
 namespace stresslet {
 
-void set_drive(Fluid& fluid, const FluidPlan& plan) {
-  fluid.set_force_density(plan.force_lu(fluid.steps()));
-  if (plan.setup.grid.closure[1] == Closure::sheared)
-    fluid.set_shear_offset(
-        std::fmod(plan.setup.shear_velocity_lu * double(fluid.steps()), double(plan.setup.grid.size[0])));
-}
+void set_drive(Fluid& fluid, const FluidPlan& plan) { fluid.set_force_density(plan.force_lu(fluid.steps())); }
 
 void advance(Fluid& fluid, const FluidPlan& plan, ThreadTeam& team, std::int64_t steps) {
-  const bool steady = plan.angular_frequency == 0 && plan.setup.grid.closure[1] != Closure::sheared;
-  if (steady) {
+  if (plan.angular_frequency == 0) {
     fluid.advance(team, int(steps));
     return;
   }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "stresslet/lattice/boundary/interpolation.hpp"
 #include "stresslet/simulation/fluid/case_choices.hpp"
 
 namespace stresslet {
@@ -20,16 +21,15 @@ void FlowField::measure(Fluid& fluid, ThreadTeam& team) {
                 [&](const Cells& c, const CellState& state) { cells_[number(c)] = is_solid(c) ? CellState{} : state; });
 }
 
-/// Across the sheared face: the image above lies `shear_offset` further along x and is faster by `shear_velocity`. Four
-/// cells of it around the point, third-order Lagrange interpolation.
+/// Across the sheared face: the image above lies `shear_offset` further along x and is faster by `shear_velocity`.
 VelocityAt FlowField::beside_in_image(const Cells& c, int side) const {
   const double x = c[0] - side * shear_offset_, whole = std::floor(x), t = x - whole;
-  const double weights[4] = {-t * (t - 1) * (t - 2) / 6, (t + 1) * (t - 1) * (t - 2) / 2, -(t + 1) * t * (t - 2) / 2,
-                             (t + 1) * t * (t - 1) / 6};
+  const std::array<double, 4> weights = CubicInterpolation::weights(t);
   const int first = int(std::fmod(whole, size_[0])) - 1 + 2 * size_[0];
   VelocityAt found{double(side), {side * shear_velocity_, 0, 0}};
   for (int k = 0; k < 4; ++k)
-    found.velocity += weights[k] * (*this)[{(first + k) % size_[0], side > 0 ? 0 : size_[1] - 1, c[2]}].velocity;
+    found.velocity +=
+        weights[std::size_t(k)] * (*this)[{(first + k) % size_[0], side > 0 ? 0 : size_[1] - 1, c[2]}].velocity;
   return found;
 }
 

@@ -138,6 +138,7 @@ void commit(Run& run) {
   for (Profile& profile : run.averages.profiles()) run.results.set_profile(std::move(profile));
   Checkpoint checkpoint;
   checkpoint.scalars["step"] = run.step();
+  checkpoint.scalars["shear_offset"] = run.fluid->shear_offset();
   checkpoint.scalars["wall_seconds"] = run.cost().wall_seconds;
   checkpoint.scalars["cell_steps"] = run.cost().cell_steps;
   if (run.new_run) remove_field_files(folder);
@@ -289,6 +290,7 @@ ExitCode restart_fluid_run(const std::vector<std::string>& overrides, const RunO
   } catch (const std::invalid_argument& why) {
     throw InputError({file.string(), "the checkpoint does not fit the input", why.what(), "run the case again"});
   }
+  run.fluid->set_shear_offset(stored<double>(checkpoint.scalars, "shear_offset"));
   set_drive(*run.fluid, plan);
   return commit_and_finish(run);
 }

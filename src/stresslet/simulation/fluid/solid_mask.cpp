@@ -85,7 +85,8 @@ std::vector<std::uint8_t> solid_mask(const FluidCase& settled, const Grid& grid)
   if (!settled.solid) return {};
   const SolidInput& solid = *settled.solid;
   const Cells& n = grid.size;
-  std::vector<std::uint8_t> mask(std::size_t(n[0]) * std::size_t(n[1]) * std::size_t(n[2]), 0);
+  const std::size_t cells = std::size_t(n[0]) * std::size_t(n[1]) * std::size_t(n[2]);
+  std::vector<std::uint8_t> mask(cells, 0);
   if (solid.file) mask = read_voxels(solid.file->text, n, settled.where("solid.file"));
   const Vec3<double> box = settled.box();
   Voxeliser voxeliser(grid, 1.0 / double(settled.domain.resolution), mask);

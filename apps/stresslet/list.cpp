@@ -6,6 +6,7 @@
 #include "commands.hpp"
 #include "stresslet/dem/laws.hpp"
 #include "stresslet/lattice/boundary/interpolation.hpp"
+#include "stresslet/lattice/boundary/laws.hpp"
 #include "stresslet/lattice/laws.hpp"
 #include "stresslet/lubrication/laws.hpp"
 #include "stresslet/particles/sizes/laws.hpp"
@@ -55,6 +56,7 @@ void add_list(CLI::App& app, ExitCode&) {
       print_laws<Stencils>("fluid: stencils", "lattice.stencil");
       print_laws<CollisionLaws>("fluid: collision", "lattice.collision");
       print_laws<ForcingLaws>("fluid: body force", "force.law");
+      print_laws<BoundaryLaws>("fluid: faces", "boundaries.x_low.law");
       print_laws<ShearInterpolations>("fluid: sheared box", "boundaries.shear_interpolation");
       print_laws<InitialFields>("fluid: start", "initial.state");
     }

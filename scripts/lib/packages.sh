@@ -3,9 +3,10 @@
 
 declare -A packages=(
   [build]="g++ cmake ninja-build ccache pkg-config git libtomlplusplus-dev libcli11-dev libfmt-dev libspdlog-dev
-           libhdf5-dev libeigen3-dev nlohmann-json3-dev libpcg-cpp-dev libgtest-dev libgmock-dev"
+           libhdf5-dev libxxhash-dev libeigen3-dev nlohmann-json3-dev libpcg-cpp-dev libgtest-dev libgmock-dev"
   [test]="python3 python3-numpy python3-h5py"
   [bench]="libbenchmark-dev"
+  [fuzz]="clang libclang-rt-dev"
   [format]="clang-format"
   [layers]="python3"
   [quickstart]="python3 python3-numpy python3-h5py python3-matplotlib"

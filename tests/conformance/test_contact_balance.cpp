@@ -3,6 +3,7 @@
 
 #include "../random_pairs.hpp"
 #include "../small_system.hpp"
+#include "stresslet/dem/laws.hpp"
 
 namespace stresslet {
 namespace {

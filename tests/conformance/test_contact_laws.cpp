@@ -3,6 +3,7 @@
 
 #include "../random_pairs.hpp"
 #include "stresslet/dem/contact/contact_forces.hpp"
+#include "stresslet/dem/laws.hpp"
 
 namespace stresslet {
 namespace {

@@ -20,6 +20,7 @@ TEST(NumericalFailure, StopsWithAMessageAndKeepsTheLastGoodState) {
   EXPECT_THAT(failed.err, HasSubstr("stress power and dissipation part"));
   for (const char* part : {"\n  why: ", "\n  fix: ", "\n  kept: "}) EXPECT_THAT(failed.err, HasSubstr(part));
   EXPECT_THAT(failed.err, HasSubstr("stresslet restart " + results));
+  EXPECT_THAT(failed.err, HasSubstr("start a new run with a smaller time.step"));
   EXPECT_FALSE(std::filesystem::exists(results + "/summary.json"));
 
   EXPECT_GE(ResultsReader(results + "/results.h5").sample_count(), 1u);

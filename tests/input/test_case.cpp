@@ -28,6 +28,7 @@ TEST(ReadCase, FillsInTheDocumentedDefaults) {
   EXPECT_EQ(read.switches(), (ModelSwitches{"complete", true, true}));
   EXPECT_EQ(read.contact.normal, "hooke");
   EXPECT_EQ(read.contact_stiffness(), 2.5e5);
+  EXPECT_EQ(read_case_text(smallest_input, "case.toml", {"contact.normal=hertz"}).contact_stiffness(), 1e7);
   EXPECT_EQ(read.contact.friction, 0);
   EXPECT_EQ(read.contact.tangential_ratio, 2.0 / 7.0);
   EXPECT_EQ(read.contact.restitution, 1);

@@ -126,6 +126,13 @@ TEST(Refusal, OutputBelowAFile) {
   expect_refused(stresslet(run_arguments(input, input)), input, "cannot be made");
 }
 
+/// The kernel's own file system takes no folders, not even from root.
+TEST(Refusal, OutputWhereNobodyMayWrite) {
+  const Workplace place;
+  const std::string input = place.write("case.toml", small_case());
+  expect_refused(stresslet(run_arguments(input, "/proc/results")), "/proc/results", "cannot be made");
+}
+
 TEST(Refusal, OutputThatMayNotBeWritten) {
   if (::geteuid() == 0) GTEST_SKIP() << "root may write everywhere";
   const Workplace place;
@@ -192,17 +199,12 @@ TEST_F(RefusalBesideResults, RestartOfADamagedFile) {
 }
 
 TEST_F(RefusalBesideResults, RestartOfAFileWithOverwrittenBytes) {
-#if defined(__SANITIZE_ADDRESS__)
-  GTEST_SKIP() << "HDF5 1.10 itself frees memory it never set when a group of a damaged file is listed";
-#endif
   const std::string whole = content_of(results("results.h5"));
   for (std::size_t place = 8; place < whole.size(); place += whole.size() / 12) {
     std::string damaged = whole;
     for (std::size_t k = place; k < std::min(place + 600, whole.size()); ++k) damaged[k] = char(0xff);
     std::ofstream(results("results.h5"), std::ios::binary) << damaged;
-    const Outcome outcome = stresslet(restart_arguments(results_, {"run.strain=0.021"}));
-    EXPECT_THAT(outcome.code, ::testing::AnyOf(0, 2)) << place << ": " << outcome.err;
-    if (outcome.code == 2) expect_refused(outcome, results_, "");
+    expect_refused(stresslet(restart_arguments(results_, {"run.strain=0.021"})), results("results.h5"), "damaged");
   }
 }
 

@@ -11,9 +11,7 @@
 #include "stresslet/io/atomic_file.hpp"
 #include "stresslet/io/hdf5.hpp"
 #include "stresslet/io/results_folder.hpp"
-
-/// HDF5 1.10 itself loses some memory when it refuses damaged metadata; the leak sanitizer asks here what to excuse.
-extern "C" const char* __lsan_default_suppressions() { return "leak:libhdf5"; }
+#include "stresslet/io/seal.hpp"
 
 namespace stresslet {
 namespace {
@@ -168,32 +166,19 @@ TEST(ResultsFile, ForeignFilesAreExplained) {
   hdf5::File other = hdf5::File::create(folder / "other.h5");
   other.write<double>("/data", std::vector<double>{1, 2, 3});
   other.close();
-  EXPECT_THAT(message_of([&] { ResultsReader(folder / "other.h5"); }), HasSubstr("another program"));
+  EXPECT_THAT(message_of([&] { ResultsReader(folder / "other.h5"); }),
+              AllOf(HasSubstr("other.h5"), HasSubstr("of another program"), HasSubstr("fix:")));
 }
 
 TEST(ResultsFile, FilesOfALaterVersionAreExplained) {
   const TemporaryFolder folder;
   write_three(folder / "results.h5");
+  remove_seal(folder / "results.h5");
   hdf5::File file = hdf5::File::open_read_write(folder / "results.h5");
   file.set_attribute("/", "format_version", std::int32_t(1000));
   file.close();
+  add_seal(folder / "results.h5");
   EXPECT_THAT(message_of([&] { ResultsReader(folder / "results.h5"); }), HasSubstr("format version is 1000"));
-}
-
-/// Reads all there is; false if that ends in an InputError.
-bool readable(const std::filesystem::path& path) {
-  try {
-    const ResultsReader reader(path);
-    for (const Column& column : reader.columns()) reader.series(column.name);
-    for (std::size_t k = 0; k < reader.snapshot_count(); ++k) reader.snapshot(k);
-    for (const std::string& name : reader.profile_names()) reader.profile(name);
-    reader.resolved_input();
-    reader.provenance();
-    reader.checkpoint();
-    return true;
-  } catch (const InputError&) {
-    return false;
-  }
 }
 
 TEST(ResultsFile, EveryTruncationIsRefused) {
@@ -202,52 +187,38 @@ TEST(ResultsFile, EveryTruncationIsRefused) {
   const std::string whole = read_whole_file(folder / "results.h5");
   for (std::size_t size = 0; size < whole.size(); size += 997) {
     std::ofstream(folder / "cut.h5", std::ios::binary) << whole.substr(0, size);
-    EXPECT_FALSE(readable(folder / "cut.h5")) << "cut to " << size << " of " << whole.size();
+    EXPECT_THROW(ResultsReader(folder / "cut.h5"), InputError) << "cut to " << size << " of " << whole.size();
   }
 }
 
-TEST(ResultsFile, DamagedSnapshotIsRefused) {
-  const TemporaryFolder folder;
-  ResultsWriter writer = ResultsWriter::start(folder / "results.h5", columns(), "", provenance("", 1, 0));
-  Snapshot marked = snapshot(1);
-  marked.position[4] = 1234.5678;
-  writer.add_snapshot(marked);
-  writer.commit(checkpoint(1));
-  std::string content = read_whole_file(folder / "results.h5");
-  const double mark = 1234.5678;
-  const std::size_t place = content.find(std::string(reinterpret_cast<const char*>(&mark), sizeof mark));
-  ASSERT_NE(place, std::string::npos);
-  content[place + 3] = char(content[place + 3] ^ 0x10);
-  std::ofstream(folder / "results.h5", std::ios::binary) << content;
-  EXPECT_THAT(message_of([&] { ResultsReader(folder / "results.h5").snapshot(0); }),
-              AllOf(HasSubstr("damaged"), HasSubstr("/snapshots/000000/position"), HasSubstr("fix:")));
-}
-
-TEST(ResultsFile, FlippedBitsNeverGiveWrongNumbers) {
+TEST(ResultsFile, EveryFlippedBitIsRefused) {
   const TemporaryFolder folder;
   write_three(folder / "results.h5");
   const std::string whole = read_whole_file(folder / "results.h5");
   std::mt19937 random(11);
   std::uniform_int_distribution<std::size_t> byte(0, whole.size() - 1);
   std::uniform_int_distribution<int> bit(0, 7);
-  int refused = 0;
   for (int trial = 0; trial < 400; ++trial) {
     std::string damaged = whole;
     const std::size_t place = byte(random);
     damaged[place] = char(damaged[place] ^ (1 << bit(random)));
     std::ofstream(folder / "damaged.h5", std::ios::binary) << damaged;
-    try {
-      const ResultsReader reader(folder / "damaged.h5");
-      ASSERT_EQ(reader.sample_count(), 6u) << place;
-      for (std::size_t k = 0; k < 6; ++k) ASSERT_EQ(reader.series("strain")[k], sample(k)[0]) << place;
-      for (std::size_t k = 0; k < 3; ++k) expect_same(reader.snapshot(k), snapshot(k));
-      ASSERT_EQ(reader.checkpoint(), checkpoint(2)) << place;
-    } catch (const InputError&) {
-      ++refused;
-    }
+    EXPECT_THAT(message_of([&] { ResultsReader(folder / "damaged.h5"); }),
+                AllOf(HasSubstr("damaged.h5"), HasSubstr("fix:")))
+        << place;
   }
-  EXPECT_GT(refused, 20);  // most bytes of so small a file are unused parts of chunks, or text
-  EXPECT_LT(refused, 400);
+}
+
+/// What another program changes during a run is neither built upon nor sealed as good.
+TEST(ResultsFile, DamageDuringARunStopsTheNextCommit) {
+  const TemporaryFolder folder;
+  ResultsWriter writer = ResultsWriter::start(folder / "results.h5", columns(), "", provenance("", 1, 0));
+  writer.commit(checkpoint(0));
+  std::string content = read_whole_file(folder / "results.h5");
+  content[content.size() / 2] ^= 1;
+  std::ofstream(folder / "results.h5", std::ios::binary) << content;
+  EXPECT_THROW(writer.commit(checkpoint(1)), Error);
+  EXPECT_TRUE(read_whole_file(folder / "results.h5") == content);
 }
 
 TEST(ResultsFile, UnwritableTargetKeepsWhatWasCollected) {

@@ -1,7 +1,8 @@
 #pragma once
 /// The part of HDF5 this project needs: groups, datasets, text and attributes, addressed by absolute path
 /// ("/series/strain"). <hdf5.h> stays in hdf5.cpp. Arrays are row-major; chunks carry Fletcher-32 checksums and the
-/// file format's own metadata is checksummed too (HDF5 1.10 and later), so damage is an error, never wrong numbers.
+/// file format's own metadata is checksummed too, so that other readers notice damage. Never open a file that may be
+/// damaged: HDF5 1.10 can crash while it lists the links of a group whose metadata was overwritten.
 #include <concepts>
 #include <cstdint>
 #include <filesystem>

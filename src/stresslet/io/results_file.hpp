@@ -10,6 +10,10 @@
 ///     /provenance          attributes; /provenance/restart_001 ... for every continuation
 ///     /checkpoint/<array>  restart state; scalars are attributes of /checkpoint
 ///
+/// After the HDF5 content stands a seal (seal.hpp). It is checked before HDF5 opens the file, whose version 1.10 may
+/// crash on damaged metadata. Checking and sealing cost a commit 0.2 s of processor time per 500 MB, beside 1.6 s for
+/// the copy.
+///
 /// A commit copies the file, adds to the copy, forces it to disk and renames it over the old one: results and restart
 /// state always belong together, and a process killed at any moment loses only what came after the last commit.
 #include <filesystem>

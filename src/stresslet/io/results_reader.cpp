@@ -4,6 +4,7 @@
 #include "stresslet/io/hdf5.hpp"
 #include "stresslet/io/results_file.hpp"
 #include "stresslet/io/results_layout.hpp"
+#include "stresslet/io/seal.hpp"
 
 namespace stresslet {
 namespace {
@@ -23,6 +24,20 @@ auto guarded(const std::filesystem::path& path, Read&& read) {
   }
 }
 
+/// HDF5 1.10 may crash on damaged metadata, so it must never see any.
+void check_before_opening(const std::filesystem::path& path) {
+  const Seal seal = check_seal(path);
+  if (seal == Seal::missing)
+    refuse(
+        path, "the results file is damaged, or of another program",
+        "it lacks the checksum with which stresslet ends its files: it was cut short, written to by another program, "
+        "or never written by stresslet",
+        "use a copy of the file, or run the case again");
+  if (seal == Seal::broken)
+    refuse(path, "the results file is damaged", "its content does not fit the checksum at its end",
+           "use a copy of the file, or run the case again");
+}
+
 }  // namespace
 
 ResultsReader::ResultsReader(std::filesystem::path path) : path_(std::move(path)) {
@@ -32,11 +47,9 @@ ResultsReader::ResultsReader(std::filesystem::path path) : path_(std::move(path)
   if (!hdf5::File::has_signature(path_))
     refuse(path_, "this is not a results file", "it does not begin as an HDF5 file does",
            "give the results.h5 that stresslet wrote; if this is it, use a copy or run the case again");
+  check_before_opening(path_);
   guarded(path_, [&] {
     file_ = std::make_unique<hdf5::File>(hdf5::File::open_read_only(path_));
-    if (!file_->has_attribute("/", "format") || file_->text_attribute("/", "format") != layout::format)
-      refuse(path_, "this is not a results file", "it is an HDF5 file of another program",
-             "give the results.h5 that stresslet wrote");
     const auto version = file_->attribute<std::int32_t>("/", "format_version");
     if (version > layout::format_version)
       refuse(path_, fmt::format("its format version is {}", version),

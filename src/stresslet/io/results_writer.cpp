@@ -8,6 +8,7 @@
 #include "stresslet/io/hdf5.hpp"
 #include "stresslet/io/results_file.hpp"
 #include "stresslet/io/results_layout.hpp"
+#include "stresslet/io/seal.hpp"
 
 namespace stresslet {
 namespace {
@@ -76,6 +77,17 @@ void write_checkpoint(hdf5::File& file, const Checkpoint& checkpoint) {
     std::visit([&, key = name](auto value) { file.set_attribute(group, key, value); }, scalar);
 }
 
+/// Opens the copy of a sealed file to add to it; it must be sealed again.
+hdf5::File open_sealed(const std::filesystem::path& original, const std::filesystem::path& copy) {
+  if (check_seal(copy) != Seal::intact)
+    throw Error(ExitCode::internal,
+                {original.string(), "the results file was changed while the run went on",
+                 "its checksum does not fit any more, and what is added to a damaged file may be lost",
+                 "let no other program write to it, not even h5py in a mode other than 'r', and run the case again"});
+  remove_seal(copy);
+  return hdf5::File::open_read_write(copy);
+}
+
 }  // namespace
 
 ResultsWriter::ResultsWriter(std::filesystem::path file, std::vector<Column> columns, Provenance from)
@@ -140,13 +152,19 @@ void ResultsWriter::write_to(hdf5::File& file, const Checkpoint& checkpoint) con
 void ResultsWriter::commit(const Checkpoint& checkpoint, const std::function<void()>& before_replacing) {
   const Timer timer;
   AtomicFile atomic(path_, new_file_ ? AtomicFile::Start::empty : AtomicFile::Start::copy_of_target);
+  const auto fail = [&](const char* reason) {
+    throw Error(ExitCode::internal, {path_.string(), "the results cannot be written", reason,
+                                     "check the free space there; the last commit is intact"});
+  };
   try {
-    hdf5::File file = new_file_ ? hdf5::File::create(atomic.part()) : hdf5::File::open_read_write(atomic.part());
+    hdf5::File file = new_file_ ? hdf5::File::create(atomic.part()) : open_sealed(path_, atomic.part());
     write_to(file, checkpoint);
     file.close();
+    add_seal(atomic.part());
   } catch (const hdf5::Failure& failure) {
-    throw Error(ExitCode::internal, {path_.string(), "the results cannot be written", failure.what(),
-                                     "check the free space there; the last commit is intact"});
+    fail(failure.what());
+  } catch (const std::filesystem::filesystem_error& failure) {
+    fail(failure.what());
   }
   if (before_replacing) before_replacing();
   atomic.commit();

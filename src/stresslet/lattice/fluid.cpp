@@ -51,6 +51,7 @@ class FluidOf : public Fluid {
           populations_of<Stencil>(is_solid(global) ? CellState{} : state(global), lattice_.input.rates, force);
       for (int i = 0; i < Stencil::size; ++i) block.populations.slot(i)[index] = T(f[i]);
     });
+    for (const auto& boundary : boundaries_) boundary->initialise(lattice_);
   }
 
   void advance(ThreadTeam& team, int steps) override {
@@ -66,7 +67,9 @@ class FluidOf : public Fluid {
     for_each_cell(team, [&](const auto& block, const Cells& global, std::size_t index) {
       for (int a = 0; a < 3; ++a)
         if (global[a] < first[a] || global[a] > last[a] || (global[a] - first[a]) % stride[a] != 0) return;
-      visit(global, state_of_(incoming(block.populations, lattice_.arrangement, index), lattice_.input.rates, force));
+      visit(global, is_solid(global) ? CellState{}
+                                     : state_of_(incoming(block.populations, lattice_.arrangement, index),
+                                                 lattice_.input.rates, force));
     });
   }
 
@@ -101,23 +104,35 @@ class FluidOf : public Fluid {
   std::vector<double> populations(ThreadTeam& team) override {
     prepare(team);
     const std::size_t cells = cell_count();
-    std::vector<double> all(cells * Stencil::size);
+    std::vector<double> all(cells * Stencil::size + kept());
     for_each_cell(team, [&](const auto& block, const Cells& global, std::size_t index) {
+      if (is_solid(global)) return;
       for (int i = 0; i < Stencil::size; ++i)
         all[std::size_t(i) * cells + cell_number(global)] = block.populations.source(i, lattice_.arrangement)[index];
     });
+    double* at = all.data() + cells * Stencil::size;
+    for (const auto& boundary : boundaries_) {
+      boundary->save(lattice_, at);
+      at += boundary->kept();
+    }
     return all;
   }
 
   void restore(ThreadTeam& team, const std::vector<double>& all, std::int64_t steps) override {
     const std::size_t cells = cell_count();
-    if (all.size() != cells * Stencil::size) throw std::invalid_argument("populations of another grid or stencil");
+    if (all.size() != cells * Stencil::size + kept())
+      throw std::invalid_argument("populations of another grid, stencil or set of walls");
     lattice_.arrangement = Arrangement::arrived;
     lattice_.steps = steps;
     for_each_cell(team, [&](const auto& block, const Cells& global, std::size_t index) {
       for (int i = 0; i < Stencil::size; ++i)
         block.populations.slot(i)[index] = T(all[std::size_t(i) * cells + cell_number(global)]);
     });
+    const double* at = all.data() + cells * Stencil::size;
+    for (const auto& boundary : boundaries_) {
+      boundary->restore(lattice_, at);
+      at += boundary->kept();
+    }
   }
 
  private:
@@ -133,6 +148,11 @@ class FluidOf : public Fluid {
   std::size_t cell_number(const Cells& c) const {
     const Cells& n = grid().size;
     return std::size_t(c[0]) + std::size_t(n[0]) * (std::size_t(c[1]) + std::size_t(n[1]) * std::size_t(c[2]));
+  }
+  std::size_t kept() const {
+    std::size_t sum = 0;
+    for (const auto& boundary : boundaries_) sum += boundary->kept();
+    return sum;
   }
   bool is_solid(const Cells& c) const { return !solid_.empty() && solid_[cell_number(c)]; }
   BodyForce<double> body_force() const { return {lattice_.input.force_density, lattice_.input.rates.odd}; }

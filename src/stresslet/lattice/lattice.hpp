@@ -73,10 +73,19 @@ class Boundary {
   virtual ~Boundary() = default;
   /// Before every sweep: makes the populations that come in through this boundary.
   virtual void before_sweep(Lattice<Stencil, T>&, Member&) {}
+  /// Once a step, between all `before_sweep` and the sweep: replaces populations for good.
+  virtual void replace_before_sweep(Lattice<Stencil, T>&, Member&) {}
   /// After every sweep, before any `after_sweep`: reads what has gone out, changes no population.
   virtual void look_after_sweep(const Lattice<Stencil, T>&, Member&) {}
   /// After every sweep (`swept` is the arrangement it started from): brings what has gone out to where it belongs.
   virtual void after_sweep(Lattice<Stencil, T>&, Arrangement /*swept*/, Member&) {}
+
+  /// Number of values that it keeps besides the incoming populations, in an order that does not depend on blocks.
+  virtual std::size_t kept() const { return 0; }
+  virtual void save(const Lattice<Stencil, T>&, double* /*kept*/) const {}
+  /// In the arrangement `arrived`, as is `initialise`, which chooses the kept values to suit the populations.
+  virtual void restore(Lattice<Stencil, T>&, const double* /*kept*/) {}
+  virtual void initialise(Lattice<Stencil, T>&) {}
 };
 
 }  // namespace stresslet

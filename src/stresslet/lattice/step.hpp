@@ -23,6 +23,8 @@ template <class Stencil, class T>
 void step(Lattice<Stencil, T>& lattice, Sweep<Stencil, T> sweep, const Boundaries<Stencil, T>& boundaries,
           Member& member) {
   prepare_step(lattice, boundaries, member);
+  for (const auto& boundary : boundaries) boundary->replace_before_sweep(lattice, member);
+  member.barrier();
   const Arrangement swept = lattice.arrangement;
   for (const auto& block : lattice.blocks) {
     const Range rows = member.share(block.populations.layout().rows());

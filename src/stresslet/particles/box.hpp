@@ -25,6 +25,7 @@ struct Box {
   Vec3<double> length{1, 1, 1};
   double shear_rate = 0;
   double offset = 0;
+  double offset_rest = 0;  ///< what rounding has kept out of `offset`; equal steps would add up its error
 
   double volume() const { return length.x * length.y * length.z; }
   bool periodic_in_y() const { return kind != BoxKind::walls; }
@@ -62,9 +63,12 @@ struct Box {
     position.z = into_period(position.z, length.z);
   }
 
-  /// Advances the offset by `time`; exact modulo one box length.
+  /// Advances the offset by `time`, by compensated summation (Kahan 1965).
   void advance(double time) {
-    if (kind == BoxKind::lees_edwards) offset = into_period(offset + velocity_jump() * time, length.x);
+    if (kind != BoxKind::lees_edwards) return;
+    const double change = velocity_jump() * time + offset_rest, sum = offset + change;
+    offset_rest = change - (sum - offset);
+    offset = into_period(sum, length.x);
   }
 
  private:

@@ -6,8 +6,10 @@
 /// -(1/V) sum m a^2/5 (w w - w^2 I), with c the velocity relative to the mean flow. Drag forces act on single bodies
 /// and carry no stress. The map to the signs of the literature stands in docs/theory.md.
 ///
-/// Energy: sigma_xy gdot V = D + d/dt (E_elastic + K), D = lubrication + sliding + dashpot + drag, exactly, for
-/// every law, because D of a pair is defined as F_1.u - T_1.w_1 - T_2.w_2 + Omega.(T_1 + T_2 - r x F_1).
+/// Energy: sigma_xy gdot V = D + d/dt (E_elastic + K), D = lubrication + sliding + dashpot + drag, with sigma_xy of
+/// contacts, lubrication and Reynolds stress. It holds for every law because D of a pair is defined as
+/// F_1.u - T_1.w_1 - T_2.w_2 + Omega.(T_1 + T_2 - r x F_1). Stresslet and acceleration stress stand outside this
+/// balance; the latter is 1e-6 of the viscosity at St = 0.1.
 #include "stresslet/dem/contact/contact_forces.hpp"
 #include "stresslet/dem/contact/wall_contacts.hpp"
 #include "stresslet/lubrication/pair_lubrication.hpp"

@@ -1,5 +1,6 @@
 #include "stresslet/simulation/case.hpp"
 
+#include "stresslet/dem/laws.hpp"
 #include "stresslet/io/schema_read.hpp"
 #include "stresslet/io/schema_text.hpp"
 #include "stresslet/simulation/case_checks.hpp"
@@ -9,7 +10,6 @@ namespace stresslet {
 namespace {
 
 constexpr double default_stokes = 0.1;
-constexpr double default_stiffness = 2.5e5;
 constexpr std::int64_t default_count = 1000;
 constexpr std::string_view default_model = "CLM-S";
 
@@ -64,7 +64,9 @@ void settle(Case& settled) {
   ModelInput& model = settled.model;
   if (!model.name && !model.lubrication) model.name = default_model;
   ContactInput& contact = settled.contact;
-  if (!contact.stiffness && !contact.stiffness_si && !contact.largest_overlap) contact.stiffness = default_stiffness;
+  if (!contact.stiffness && !contact.stiffness_si && !contact.largest_overlap)
+    NormalContactLaws::dispatch(contact.normal,
+                                [&](auto law) { contact.stiffness = decltype(law)::type::default_stiffness; });
   if (!settled.units && !settled.flow.stokes) settled.flow.stokes = default_stokes;
 }
 

@@ -41,7 +41,8 @@ struct ContactInput {
   template <class V>
   void describe(V& v) {
     v.key("normal", normal, defaulted, one_of(normal_contact_law_names()), "", "Law of the normal contact force");
-    v.key("stiffness", stiffness, otherwise("`2.5e5` if none of the three stiffness keys is given"), above(0), "1",
+    v.key("stiffness", stiffness, otherwise("`2.5e5` (hertz: `1e7`) if none of the three stiffness keys is given"),
+          above(0), "1",
           "Dimensionless stiffness: kn / (viscosity shear rate d1) for hooke, kn / (viscosity shear rate) for hertz");
     v.key("stiffness_si", stiffness_si, otherwise("`stiffness` is used"), above(0), "N/m (hertz: Pa)",
           "Stiffness in SI units, in place of `stiffness`; needs [units]");

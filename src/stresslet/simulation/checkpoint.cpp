@@ -29,7 +29,7 @@ void for_each_stored(Suspension& s, Visit&& visit) {
   visit("wall_spring_z", s.wall_contacts.history.z);
   visit("velocity_change", s.change.array());
   visit("box_length_x", s.box.length.x), visit("box_length_y", s.box.length.y), visit("box_length_z", s.box.length.z);
-  visit("box_offset", s.box.offset);
+  visit("box_offset", s.box.offset), visit("box_offset_rest", s.box.offset_rest);
   visit("strain", s.strain), visit("steps", s.steps);
   visit("strain_since_build", s.strain_since_build), visit("builds", s.builds);
 }

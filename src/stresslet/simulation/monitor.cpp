@@ -35,17 +35,19 @@ void check_energy_balance(const Series& series, double tolerance) {
                    stress, dissipation, now - window, now),
        "what the stress puts in must be dissipated or stored; a time step that is too long does not blow up but "
        "oscillates in the thin films and loses contacts, and then the viscosity is wrong too",
-       "set a smaller time.step, or time.scheme = \"semi-implicit\"; run.monitor_tolerance sets the mismatch allowed"});
+       "start a new run with a smaller time.step, or with time.scheme = \"semi-implicit\"; only where the mismatch is "
+       "known to be harmless, go on with a larger run.monitor_tolerance"});
 }
 
 void check_finite(const Suspension& s) {
   const auto fail = [&](std::size_t i, const char* quantity, const Vec3<double>& v) {
-    throw NumericalFailure(
-        {"",
-         fmt::format("particle {} has {} ({}, {}, {}) at strain {:.6g}", s.state.id[i], quantity, v.x, v.y, v.z,
-                     s.strain),
-         "a number that is not finite spreads to all neighbours within a few steps",
-         "look at the last snapshot around this particle; a smaller time.step or a stiffer contact usually cures it"});
+    throw NumericalFailure({"",
+                            fmt::format("particle {} has {} ({}, {}, {}) at strain {:.6g}", s.state.id[i], quantity,
+                                        v.x, v.y, v.z, s.strain),
+                            "a number that is not finite spreads to all neighbours within a few steps",
+                            "look at the last snapshot around this particle; a new run with a smaller time.step or a "
+                            "stiffer contact usually "
+                            "cures it"});
   };
   const auto finite = [](const Vec3<double>& v) { return std::isfinite(v.x + v.y + v.z); };
   for (std::size_t i = 0; i < s.state.size(); ++i) {
@@ -62,7 +64,7 @@ void check_solver(const Suspension& s) {
        fmt::format("the velocity solve stopped at residual {:.3g} after {} iterations, at strain {:.6g}",
                    s.solver_report.residual, s.solver_report.iterations, s.strain),
        "the system of lubrication and drag is too ill-conditioned for its tolerance, so velocities would be wrong",
-       "set a smaller time.step, or a larger lubrication.inner_cutoff"});
+       "start a new run with a smaller time.step, or with a larger lubrication.inner_cutoff"});
 }
 
 void check_explicit_step(double step_number, double step) {
@@ -74,7 +76,7 @@ void check_explicit_step(double step_number, double step) {
                    step * stable / step_number),
        "a particle squeezed by several neighbours relaxes faster than a pair; an unstable step does not blow up but "
        "loses contacts silently",
-       fmt::format("set time.step below {:.2g}, or time.scheme = \"semi-implicit\"",
+       fmt::format("start a new run with time.step below {:.2g}, or with time.scheme = \"semi-implicit\"",
                    0.8 * step * stable / step_number)});
 }
 

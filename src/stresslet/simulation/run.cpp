@@ -152,8 +152,8 @@ ExitCode finish(Run& run) {
 ExitCode commit_and_finish(Run& run) {
   commit_before_running([&] { commit(run); });
   return finish_or_explain(
-      run.results.path(), [&] { return finish(run); },
-      [&] { return fmt::format("the state at strain {:.6g}", run.committed_strain); });
+      run.results.path(), "the last snapshot (suspension.file)", [&] { return finish(run); },
+      [&] { return fmt::format("strain {:.6g}", run.committed_strain); });
 }
 
 OutputChoice output_choice(const Case& c) { return {c.output.csv, c.output.xyz, c.output.paraview}; }

@@ -12,15 +12,18 @@ void commit_before_running(const std::function<void()>& commit) {
   }
 }
 
-ExitCode finish_or_explain(const std::filesystem::path& results, const std::function<ExitCode()>& finish,
-                           const std::function<std::string()>& committed) {
+ExitCode finish_or_explain(const std::filesystem::path& results, std::string_view start,
+                           const std::function<ExitCode()>& finish, const std::function<std::string()>& committed) {
   try {
     return finish();
   } catch (const NumericalFailure& failure) {
-    throw NumericalFailure({"",
-                            fmt::format("{}\n  kept: {}, from which 'stresslet restart {}' goes on", failure.what(),
-                                        committed(), results.string()),
-                            "", ""});
+    throw NumericalFailure(
+        {"",
+         fmt::format(
+             "{}\n  kept: all results up to {}. 'stresslet restart {}' goes on from there with the same physics "
+             "and time step; a new run can start from {}",
+             failure.what(), committed(), results.string(), start),
+         "", ""});
   }
 }
 

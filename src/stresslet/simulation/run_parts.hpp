@@ -32,9 +32,10 @@ class CommitClock {
 /// The first commit, before the first step: what cannot be written, or was damaged, is wrong input.
 void commit_before_running(const std::function<void()>& commit);
 
-/// Runs `finish`; to a failure it adds where the last good state lies. `committed` names it ("the state at strain 2").
-ExitCode finish_or_explain(const std::filesystem::path& results, const std::function<ExitCode()>& finish,
-                           const std::function<std::string()>& committed);
+/// Runs `finish`; to a failure it adds what is kept: `committed` says up to when ("strain 2"), `start` what a new run
+/// can start from.
+ExitCode finish_or_explain(const std::filesystem::path& results, std::string_view start,
+                           const std::function<ExitCode()>& finish, const std::function<std::string()>& committed);
 
 /// Throws InputError for an override of a key that is not `changeable`. `instead` says how to get another run.
 void refuse_changed_physics(const std::vector<std::string>& overrides, std::span<const std::string_view> changeable,

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "stresslet/base/constants.hpp"
+#include "stresslet/dem/laws.hpp"
 #include "stresslet/lubrication/laws.hpp"
 #include "stresslet/simulation/schemes/laws.hpp"
 

@@ -1,50 +1,8 @@
 #include "stresslet/dem/contact/contact_forces.hpp"
 
-#include <algorithm>
-#include <cmath>
-
-#include "stresslet/base/constants.hpp"
-#include "stresslet/dem/contact/tangential/spring_history.hpp"
+#include "stresslet/dem/laws.hpp"
 
 namespace stresslet {
-
-double damping_ratio(double restitution) {
-  const double log = std::log(restitution);
-  return -log / std::sqrt(pi * pi + log * log);
-}
-
-template <class Normal>
-ContactResult contact_force(const ContactGeometry& g, const ContactParameters& p, const Vec3<double>& elongation,
-                            const ContactMotion& motion, double step) {
-  ContactResult result;
-  const Vec3<double>& e = g.normal;
-  const double spring = Normal::force(g.overlap, g.reduced_radius, p.stiffness);
-  result.elastic_energy = Normal::energy(g.overlap, g.reduced_radius, p.stiffness);
-  double normal_force = spring;
-  if (p.damping_ratio > 0) {
-    const double dashpot = Normal::dashpot(g.overlap, g.reduced_radius, p.stiffness, g.reduced_mass, p.damping_ratio);
-    normal_force -= dashpot * motion.separation_speed;
-    result.dashpot_power = dashpot * motion.separation_speed * motion.separation_speed;
-  }
-  result.force = -normal_force * e;
-  if (p.friction > 0) {
-    const Vec3<double> sliding = tangential_part(motion.u, e) - cross(g.arm1 * motion.w1 + g.arm2 * motion.w2, e);
-    const double limit = p.friction * (p.coulomb_limit == CoulombLimit::spring ? spring : std::max(normal_force, 0.0));
-    const double stiffness = p.tangential_ratio * Normal::tangential_scale(g.overlap, g.reduced_radius, p.stiffness);
-    const TangentialSpring t = advance_tangential_spring(elongation, e, step * sliding, stiffness, limit);
-    result.elongation = t.elongation;
-    result.tangential_force = t.force;
-    result.force += t.force;
-    result.elastic_energy += 0.5 * stiffness * dot(t.elongation, t.elongation);
-    if (step > 0) result.sliding_power = dot(t.force, t.slip) / step;
-  }
-  return result;
-}
-
-template ContactResult contact_force<Hooke>(const ContactGeometry&, const ContactParameters&, const Vec3<double>&,
-                                            const ContactMotion&, double);
-template ContactResult contact_force<Hertz>(const ContactGeometry&, const ContactParameters&, const Vec3<double>&,
-                                            const ContactMotion&, double);
 
 void ContactForces::prepare(std::size_t capacity) { results_.assign(capacity, {}); }
 

@@ -5,28 +5,14 @@
 /// and the densities, writes 96 B, about 60 flops; with friction reads and writes 24 B of history, about 150 flops.
 /// With friction the history of every candidate that does not touch is cleared as well (4 B read, 24 B written).
 /// Contacts are few (one or two per particle), so the loop stays scalar.
-#include <string>
 #include <vector>
 
-#include "stresslet/dem/contact/coulomb_limit.hpp"
-#include "stresslet/dem/laws.hpp"
+#include "stresslet/dem/contact/contact_force.hpp"
 #include "stresslet/exec/thread_team.hpp"
 #include "stresslet/particles/active_pairs.hpp"
 #include "stresslet/particles/twist.hpp"
 
 namespace stresslet {
-
-struct ContactParameters {
-  std::string normal_law = "hooke";
-  double stiffness = 0;                 ///< Hooke: force/length; Hertz: pressure
-  double tangential_ratio = 2.0 / 7.0;  ///< kt/kn
-  double friction = 0;                  ///< Coulomb coefficient; 0 switches the tangential spring off
-  double damping_ratio = 0;             ///< beta of the restitution coefficient; 0 = no dashpot
-  CoulombLimit coulomb_limit = CoulombLimit::spring;
-};
-
-/// -ln e / sqrt(pi^2 + ln^2 e).
-double damping_ratio(double restitution);
 
 /// Elongation of the tangential spring of every pair in the Verlet list (of j relative to i); zero when apart.
 struct ContactHistory {
@@ -35,32 +21,6 @@ struct ContactHistory {
   Vec3<double> get(std::size_t k) const { return {x[k], y[k], z[k]}; }
   void set(std::size_t k, const Vec3<double>& v) { x[k] = v.x, y[k] = v.y, z[k] = v.z; }
 };
-
-/// One sphere against another or against a wall, at one instant.
-struct ContactGeometry {
-  Vec3<double> normal;  ///< from 1 to 2
-  double overlap, reduced_radius, reduced_mass, arm1, arm2;
-};
-
-struct ContactResult {
-  Vec3<double> force;             ///< on 1
-  Vec3<double> tangential_force;  ///< part of `force`
-  Vec3<double> elongation;
-  double sliding_power = 0, dashpot_power = 0, elastic_energy = 0;
-};
-
-/// Velocities of a touching pair. A scheme whose velocities are half a step old moves the springs with these, which is
-/// exact, but the dashpot with velocities predicted for the present, or its force would lag behind.
-struct ContactMotion {
-  Vec3<double> u;           ///< velocity of 2 relative to 1, over the last step
-  Vec3<double> w1, w2;      ///< angular velocities, over the last step
-  double separation_speed;  ///< now
-};
-
-/// `step`: time over which the tangential spring is advanced.
-template <class Normal>
-ContactResult contact_force(const ContactGeometry& g, const ContactParameters& p, const Vec3<double>& elongation,
-                            const ContactMotion& motion, double step);
 
 /// Twists over the last step and, for dashpots, now.
 struct ContactVelocities {

@@ -1,5 +1,7 @@
 #include "stresslet/dem/contact/wall_contacts.hpp"
 
+#include "stresslet/dem/laws.hpp"
+
 namespace stresslet {
 
 void WallContacts::prepare(std::size_t particles) {

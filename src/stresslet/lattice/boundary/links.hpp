@@ -12,6 +12,7 @@
 /// cells.
 #include <vector>
 
+#include "stresslet/lattice/boundary/walls.hpp"
 #include "stresslet/lattice/lattice.hpp"
 
 namespace stresslet {
@@ -108,29 +109,23 @@ std::vector<LinkBox> exchange_links(const Grid& grid) {
   return links;
 }
 
-/// Half-way bounce-back at open faces. `moves(face_axis, side)` gives the velocity of the wall there, or nothing where
-/// the face is no such wall. In edges and corners the first wall in the order x, y, z counts.
+/// Half-way bounce-back (walls.hpp) at open faces. `wall_velocity(crossed)` gives the velocity of the half-way wall
+/// that a link meets which crosses the faces `crossed` (components -1, 0, 1), or nothing where it meets something else.
 template <class Stencil, class WallVelocity>
-std::vector<LinkBox> half_way_links(const Grid& grid, WallVelocity&& moves) {
+std::vector<LinkBox> half_way_links(const Grid& grid, WallVelocity&& wall_velocity) {
   const std::vector<BlockBox> boxes = block_boxes(grid);
   std::vector<LinkBox> links;
   for (int b = 0; b < int(boxes.size()); ++b)
-    for_each_halo_box<Stencil>(boxes[std::size_t(b)].size, [&](const Cells& d, int j, const Cells& first,
-                                                               const Cells& last) {
-      const Neighbour n = neighbour_of(grid, b, d);
-      if (n.kind != Neighbour::Kind::open) return;
-      for (int a = 0; a < 3; ++a) {
-        if (n.wrap[a] == 0 || grid.closure[a] != Closure::open) continue;
-        if (const auto velocity = moves(a, d[a])) {
+    for_each_halo_box<Stencil>(
+        boxes[std::size_t(b)].size, [&](const Cells& d, int j, const Cells& first, const Cells& last) {
+          const Neighbour n = neighbour_of(grid, b, d);
+          if (n.kind != Neighbour::Kind::open) return;
+          const auto velocity = wall_velocity(n.wrap);
+          if (!velocity) return;
           const auto& c = Stencil::velocity[j];
-          // What comes back is f_opposite(j) = f'_j - 2 w rho c_j.u / cs^2 with the rest density (Ladd, J. Fluid Mech.
-          // 271 (1994) 285, eq. 3.3).
-          const double along = c[0] * velocity->x + c[1] * velocity->y + c[2] * velocity->z;
-          links.push_back({b, b, j, opposite(j), first, last, {-c[0], -c[1], -c[2]}, -6 * Stencil::weight[j] * along});
-          return;
-        }
-      }
-    });
+          links.push_back(
+              {b, b, j, opposite(j), first, last, {-c[0], -c[1], -c[2]}, wall_correction<Stencil>(j, *velocity)});
+        });
   return links;
 }
 

@@ -10,6 +10,8 @@ namespace stresslet {
 struct Hertz {
   static constexpr std::string_view name = "hertz";
   static constexpr std::string_view summary = "F = kn sqrt(overlap r) overlap; stiffness is a pressure, kn/(eta gdot)";
+  /// The force of the default linear spring at an overlap of 0.0025 of equal spheres: 2.5e5 / sqrt(0.0025 / 4).
+  static constexpr double default_stiffness = 1e7;
 
   template <class R>
   static R force(const R& overlap, const R& reduced_radius, const R& stiffness) {

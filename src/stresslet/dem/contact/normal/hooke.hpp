@@ -10,6 +10,7 @@ namespace stresslet {
 struct Hooke {
   static constexpr std::string_view name = "hooke";
   static constexpr std::string_view summary = "linear spring; stiffness is a force per length, kn* = kn/(eta gdot d1)";
+  static constexpr double default_stiffness = 2.5e5;
 
   template <class R>
   static R force(const R& overlap, const R&, const R& stiffness) {

@@ -1,12 +1,12 @@
-#include "stresslet/lattice/sweep.hpp"
-
+#pragma once
+/// The body of the kernel of sweep.hpp, instantiated in one source file per stencil and precision (sweep_*.cpp): each
+/// holds every pair of a collision and a forcing law and takes its minute to compile.
 #include "stresslet/exec/simd.hpp"
 #include "stresslet/lattice/collide.hpp"
 #include "stresslet/lattice/laws.hpp"
+#include "stresslet/lattice/sweep.hpp"
 
 namespace stresslet {
-
-namespace {
 
 // Bytes ahead of use at which a line is asked for; without, the kernel runs at half its speed or less.
 constexpr std::ptrdiff_t prefetch_distance = 256;
@@ -75,8 +75,6 @@ void sweep(const Populations<Stencil, T>& populations, Arrangement arrangement, 
   }
 }
 
-}  // namespace
-
 template <class Stencil, class T>
 Sweep<Stencil, T> sweep_for(std::string_view collision, std::string_view forcing) {
   Sweep<Stencil, T> found = nullptr;
@@ -86,10 +84,5 @@ Sweep<Stencil, T> sweep_for(std::string_view collision, std::string_view forcing
   });
   return found;
 }
-
-template Sweep<D3Q19, double> sweep_for<D3Q19, double>(std::string_view, std::string_view);
-template Sweep<D3Q19, float> sweep_for<D3Q19, float>(std::string_view, std::string_view);
-template Sweep<D2Q9, double> sweep_for<D2Q9, double>(std::string_view, std::string_view);
-template Sweep<D3Q27, double> sweep_for<D3Q27, double>(std::string_view, std::string_view);
 
 }  // namespace stresslet

@@ -56,7 +56,7 @@ class FluidCheck:
         import matplotlib
         matplotlib.use("Agg")
         import matplotlib.pyplot as plt
-        figure, axes = plt.subplots(figsize=(width, height), dpi=110, **options)
+        figure, axes = plt.subplots(figsize=(width, height), dpi=96, **options)
         for each in np.atleast_1d(axes):
             each.spines[["top", "right"]].set_visible(False)
             each.tick_params(colors=INK)

@@ -29,8 +29,8 @@ for t, fields, x, y in run.fields():
     ratios.append(mode.real / amplitude)
     phases.append(np.angle(mode / amplitude))
 if run.full:
-    run.below("largest error of the amplitude", np.abs(np.array(ratios) - 1).max(), 5e-3)
-    run.below("largest error of the phase", np.abs(phases).max(), 5e-3)
+    run.below("largest error of the amplitude", np.abs(np.array(ratios) - 1).max(), 3e-3)
+    run.below("largest error of the phase", np.abs(phases).max(), 1e-6)
     run.below("mean momentum", np.abs(run.series["momentum_x"]).max(), 1e-9)
 if run.picture:
     figure, (left, right) = run.axes(9, 4, ncols=2)

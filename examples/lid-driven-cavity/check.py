@@ -30,13 +30,14 @@ if run.full:
     for name, place, found, table_place, table in (("u", y, u, Y, U), ("v", x, v, X, V)):
         inside = np.interp(table_place, place, found)
         run.below(f"largest difference from the table of {name}", np.abs(inside - table).max(), 0.01)
-    run.between("lowest u on the vertical middle line over the table's", 0.985, u.min() / -0.21090, 1.015)
-    run.between("highest v on the horizontal middle line over the table's", 0.985, v.max() / 0.17527, 1.03)
-    run.between("lowest v over the table's", 0.985, v.min() / -0.24533, 1.045)
+    # The extrema of the table are off by 1.5, 2.5 and 3.4 % themselves: README.md.
+    run.between("lowest u on the vertical middle line over the exact one", 0.993, u.min() / -0.21404, 1.003)
+    run.between("highest v on the horizontal middle line over the exact one", 0.993, v.max() / 0.17957, 1.003)
+    run.between("lowest v over the exact one", 0.993, v.min() / -0.25380, 1.003)
 if run.picture:
     figure, (left, right) = run.axes(9, 4.2, ncols=2)
-    left.imshow(np.linalg.norm(velocity, axis=-1), origin="lower", extent=(0, 1, 0, 1), cmap="Blues", vmax=0.6)
-    left.streamplot(x, y, velocity[:, :, 0], velocity[:, :, 1], color=INK, linewidth=0.6, arrowsize=0.7, density=1.1)
+    left.imshow(np.linalg.norm(velocity, axis=-1), interpolation="nearest", origin="lower", extent=(0, 1, 0, 1), cmap="Blues", vmax=0.6)
+    left.streamplot(x, y, velocity[:, :, 0], velocity[:, :, 1], color=INK, linewidth=0.6, arrowsize=0.7, density=0.8)
     left.set(xlabel="x / L", ylabel="y / L", title="speed and streamlines, Re = 100", xlim=(0, 1), ylim=(0, 1))
     right.plot(y, u, color=COLOURS[0], label="u along the vertical middle line")
     right.plot(Y, U, "o", ms=4, color=COLOURS[0])

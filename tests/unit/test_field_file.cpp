@@ -52,8 +52,10 @@ TEST(FieldFile, HeadersOfAFolderStopAtAStep) {
   EXPECT_EQ(headers[0].step, 30);
   EXPECT_EQ(headers[1].step, 60);
   EXPECT_TRUE(headers[0].fields[0].values.empty());
-  remove_field_files(folder.path());
-  EXPECT_TRUE(field_headers(folder.path(), 100).empty());
+  std::ofstream(folder / fields_folder / "000000030.h5.part") << "unfinished";
+  remove_field_files(folder.path(), 30);
+  EXPECT_EQ(field_headers(folder.path(), 100).size(), 1u);
+  EXPECT_FALSE(std::filesystem::exists(folder / fields_folder / "000000030.h5.part"));
   EXPECT_TRUE(std::filesystem::exists(folder / fields_folder / "notes.h5"));
 }
 

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <span>
+#include <string_view>
 
 #include "stresslet/base/error.hpp"
 #include "stresslet/io/atomic_file.hpp"
@@ -45,9 +47,11 @@ const char* attribute_type(int components) {
   return components == 1 ? "Scalar" : components == 3 ? "Vector" : "Tensor6";
 }
 
-bool is_field_file_name(const std::string& name) {
-  return name.size() >= 12 && name.ends_with(".h5") &&
-         std::all_of(name.begin(), name.end() - 3, [](char c) { return c >= '0' && c <= '9'; });
+/// The step in "000001200.h5" or "000001200.h5.part"; none for files of other names.
+std::optional<std::int64_t> step_in(const std::string& name, std::string_view ending) {
+  const std::size_t digits = name.find_first_not_of("0123456789");
+  if (digits < 9 || digits > 18 || name.substr(std::min(digits, name.size())) != ending) return std::nullopt;
+  return std::stoll(name.substr(0, digits));
 }
 
 }  // namespace
@@ -93,9 +97,8 @@ std::vector<FieldFile> field_headers(const std::filesystem::path& results, std::
   std::vector<FieldFile> headers;
   if (!std::filesystem::is_directory(results / fields_folder)) return headers;
   for (const auto& entry : std::filesystem::directory_iterator(results / fields_folder)) {
-    if (!is_field_file_name(entry.path().filename().string())) continue;
-    FieldFile header = read_field_file(entry.path(), true);
-    if (header.step <= last_step) headers.push_back(std::move(header));
+    const auto step = step_in(entry.path().filename().string(), ".h5");
+    if (step && *step <= last_step) headers.push_back(read_field_file(entry.path(), true));
   }
   std::sort(headers.begin(), headers.end(), [](const auto& a, const auto& b) { return a.step < b.step; });
   return headers;
@@ -131,13 +134,15 @@ std::string fields_xdmf_text(const std::vector<FieldFile>& headers) {
   return fmt::to_string(text);
 }
 
-void remove_field_files(const std::filesystem::path& results) {
-  std::filesystem::remove(results / fields_xdmf_name);
+void remove_field_files(const std::filesystem::path& results, std::int64_t after_step) {
   const std::filesystem::path folder = results / fields_folder;
   if (!std::filesystem::is_directory(folder)) return;
   std::vector<std::filesystem::path> old;
-  for (const auto& entry : std::filesystem::directory_iterator(folder))
-    if (is_field_file_name(entry.path().filename().string())) old.push_back(entry.path());
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    const auto step = step_in(name, ".h5");
+    if (step_in(name, ".h5.part") || (step && *step > after_step)) old.push_back(entry.path());
+  }
   for (const auto& file : old) std::filesystem::remove(file);
 }
 

@@ -48,7 +48,7 @@ std::vector<FieldFile> field_headers(const std::filesystem::path& results, std::
 /// XDMF text for files with these headers (`values` are not read).
 std::string fields_xdmf_text(const std::vector<FieldFile>& headers);
 
-/// Removes all field files and their XDMF file, for a run that replaces another.
-void remove_field_files(const std::filesystem::path& results);
+/// Removes the field files after a step, parts of unfinished ones included: those that a run no longer knows of.
+void remove_field_files(const std::filesystem::path& results, std::int64_t after_step);
 
 }  // namespace stresslet

@@ -50,6 +50,8 @@ FieldFile make_fields(const FlowField& field, const FluidPlan& plan, const std::
           append_value(values.values, kind.name, field[{x, y, z}], field.is_solid({x, y, z}), plan);
     file.fields.push_back(std::move(values));
   }
+  // In the order in which they are read back.
+  std::sort(file.fields.begin(), file.fields.end(), [](const Field& a, const Field& b) { return a.name < b.name; });
   return file;
 }
 

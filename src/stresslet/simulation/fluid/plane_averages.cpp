@@ -55,6 +55,10 @@ std::vector<Profile> PlaneAverages::profiles() const {
 void PlaneAverages::restore(const ResultsReader& reader) {
   time_ = reader.profile("time").values;
   for (std::size_t k = 0; k < names.size(); ++k) values_[k] = reader.profile(names[k]).values;
+  if (plan_.profile_every > 0) return;
+  // Start and end only: what was the end is none any more.
+  time_.resize(1);
+  for (auto& values : values_) values.resize(std::size_t(plan_.setup.grid.size[std::size_t(axis_)]));
 }
 
 }  // namespace stresslet

@@ -50,7 +50,8 @@ struct Run {
   std::vector<FieldFile> field_headers;
   FluidRunCost cost_before;  // of the sessions before this one
   std::int64_t first_step = 0, committed_step = 0;
-  bool new_run = true;  // no commit yet
+  bool new_run = true, first_commit = true;  // no commit yet; none of this session
+  double commit_cost = 0;                    // seconds
   Timer wall;
 
   Run(const FluidCase& c, const FluidPlan& p, const RunOptions& o, ResultsFolder r)
@@ -133,6 +134,7 @@ void observe(Run& run) {
 }
 
 void commit(Run& run) {
+  const Timer timer;
   const std::filesystem::path& folder = run.results.path();
   write_populations(folder, run.step(), run.fluid->populations(run.team));
   for (Profile& profile : run.averages.profiles()) run.results.set_profile(std::move(profile));
@@ -141,10 +143,12 @@ void commit(Run& run) {
   checkpoint.scalars["shear_offset"] = run.fluid->shear_offset();
   checkpoint.scalars["wall_seconds"] = run.cost().wall_seconds;
   checkpoint.scalars["cell_steps"] = run.cost().cell_steps;
-  if (run.new_run) remove_field_files(folder);
+  if (run.new_run) std::filesystem::remove(folder / fields_xdmf_name);
+  if (run.first_commit) remove_field_files(folder, run.new_run ? -1 : run.step());
   run.results.commit(checkpoint);
   remove_other_populations(folder, run.step());
-  run.new_run = false;
+  run.new_run = run.first_commit = false;
+  run.commit_cost = timer.seconds();
   run.commit_clock.restart();
   run.committed_step = run.step();
 }
@@ -187,7 +191,7 @@ std::string advance_to_the_end(Run& run) {
     observe(run);
     if (run.progress.due()) show_progress(run);
     if (steady(run)) return "steady";
-    if (run.commit_clock.due(run.results.commit_cost())) commit(run);
+    if (run.commit_clock.due(run.commit_cost)) commit(run);
     if (run.options.stop && *run.options.stop) return "interrupted";
   }
   return "finished";

@@ -14,9 +14,11 @@ velocity = run.series["mean_velocity_x"][-1]
 if run.full:
     drag = FORCE * REYNOLDS / (6 * np.pi * RADIUS * velocity)
     run.between("drag coefficient over that of Zick & Homsy", 0.97, drag / DRAG, 1.03)
-    run.between("solid fraction of the voxels over 0.125", 0.99, run.summary["solid_fraction"] / 0.125, 1.01)
-    run.between("power of the force over dissipation from populations", 0.98,
-                FORCE * velocity / run.series["dissipation_from_populations"][-1], 1.02)
+    run.between("solid fraction of the voxels over 0.125", 0.98, run.summary["solid_fraction"] / 0.125, 1.02)
+    run.between("power of the force over dissipation from gradients", 0.995,
+                FORCE * velocity / run.series["dissipation_from_gradients"][-1], 1.02)
+    run.between("power of the force over dissipation from populations", 1,
+                FORCE * velocity / run.series["dissipation_from_populations"][-1], 1.05)
 if run.picture:
     figure, axes = run.axes(5, 4.2)
     _, fields, x, y = list(run.fields())[-1]

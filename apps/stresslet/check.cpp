@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "commands.hpp"
-#include "stresslet/simulation/plan.hpp"
+#include "stresslet/simulation/any_case.hpp"
 
 namespace stresslet {
 
@@ -21,9 +21,9 @@ void add_check(CLI::App& app, ExitCode&) {
   add_overrides(*command, arguments->overrides);
   command->add_flag("--resolved", arguments->resolved, "Print the complete input with every default instead");
   command->callback([arguments] {
-    const Case settled = read_case(arguments->file, arguments->overrides);
-    const Plan plan = make_plan(settled);
-    fmt::print("{}", arguments->resolved ? resolved_toml(settled) : plan_report(settled, plan));
+    const AnyCase settled = read_any_case(arguments->file, arguments->overrides);
+    const std::string report = plan_report(settled);
+    fmt::print("{}", arguments->resolved ? resolved_toml(settled) : report);
   });
 }
 

@@ -5,9 +5,13 @@
 
 #include "commands.hpp"
 #include "stresslet/dem/laws.hpp"
+#include "stresslet/lattice/boundary/interpolation.hpp"
+#include "stresslet/lattice/boundary/laws.hpp"
+#include "stresslet/lattice/laws.hpp"
 #include "stresslet/lubrication/laws.hpp"
 #include "stresslet/particles/sizes/laws.hpp"
 #include "stresslet/simulation/case_choices.hpp"
+#include "stresslet/simulation/fluid/initial_fields.hpp"
 #include "stresslet/simulation/reference.hpp"
 #include "stresslet/simulation/schemes/laws.hpp"
 #include "stresslet/simulation/series.hpp"
@@ -49,6 +53,12 @@ void add_list(CLI::App& app, ExitCode&) {
       print_laws<NormalContactLaws>("contact", "contact.normal");
       print_laws<TimeSchemes>("time schemes", "time.scheme");
       print_laws<SizeDistributionLaws>("size distributions", "suspension.sizes.law");
+      print_laws<Stencils>("fluid: stencils", "lattice.stencil");
+      print_laws<CollisionLaws>("fluid: collision", "lattice.collision");
+      print_laws<ForcingLaws>("fluid: body force", "force.law");
+      print_laws<BoundaryLaws>("fluid: faces", "boundaries.x_low.law");
+      print_laws<ShearInterpolations>("fluid: sheared box", "boundaries.shear_interpolation");
+      print_laws<InitialFields>("fluid: start", "initial.state");
     }
   });
 }

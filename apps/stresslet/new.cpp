@@ -7,16 +7,21 @@
 #include "commands.hpp"
 #include "stresslet/io/atomic_file.hpp"
 #include "stresslet/simulation/case.hpp"
+#include "stresslet/simulation/fluid/case.hpp"
 
 namespace stresslet {
 
 void add_new(CLI::App& app, ExitCode&) {
   auto file = std::make_shared<std::string>();
+  auto fidelity = std::make_shared<std::string>("lubricated");
   CLI::App* command = app.add_subcommand("new", "Write a commented input file to start from");
   command->add_option("FILE", *file, "File to write; - for standard output")->required();
-  command->callback([file] {
+  command->add_option("--fidelity", *fidelity, "lubricated: a suspension; fluid: flow without particles")
+      ->check(CLI::IsMember({"lubricated", "fluid"}));
+  command->callback([file, fidelity] {
+    const std::string text = *fidelity == "fluid" ? new_fluid_case_template() : new_case_template();
     if (*file == "-") {
-      fmt::print("{}", new_case_template());
+      fmt::print("{}", text);
       return;
     }
     if (std::filesystem::exists(*file))
@@ -26,7 +31,7 @@ void add_new(CLI::App& app, ExitCode&) {
     if (!std::filesystem::is_directory(folder))
       throw InputError({*file, "the file cannot be written", "there is no folder " + folder.string(),
                         "make the folder first, or choose another name"});
-    replace_file(*file, new_case_template());
+    replace_file(*file, text);
     fmt::print("{} written; next: stresslet check {}\n", *file, *file);
   });
 }

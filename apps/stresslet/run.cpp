@@ -1,11 +1,10 @@
-#include "stresslet/simulation/run.hpp"
-
 #include <CLI/CLI.hpp>
 #include <atomic>
 #include <csignal>
 #include <memory>
 
 #include "commands.hpp"
+#include "stresslet/simulation/any_case.hpp"
 
 namespace stresslet {
 
@@ -46,21 +45,23 @@ void add_run(CLI::App& app, ExitCode& code, const std::string& command_line) {
   command->callback([arguments, &code, command_line] {
     arguments->options.command_line = command_line;
     listen_for_stop(arguments->options);
-    code = run_case(read_case(arguments->file, arguments->overrides), arguments->options);
+    code = run_case(read_any_case(arguments->file, arguments->overrides), arguments->options);
   });
 }
 
 void add_restart(CLI::App& app, ExitCode& code, const std::string& command_line) {
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand(
-      "restart", "Continue a run from its last checkpoint, bit for bit; --set may change [run], as in run.strain=20");
+      "restart",
+      "Continue a run from its last checkpoint, bit for bit; --set may change [run], as in run.strain=20 or "
+      "run.end_time=20");
   command->add_option("RESULTS", arguments->options.output, "Folder of the run")->required();
   command->add_flag("--quiet", arguments->options.quiet, "No progress line");
   add_overrides(*command, arguments->overrides);
   command->callback([arguments, &code, command_line] {
     arguments->options.command_line = command_line;
     listen_for_stop(arguments->options);
-    code = restart_run(arguments->overrides, arguments->options);
+    code = restart_any_run(arguments->overrides, arguments->options);
   });
 }
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "stresslet/base/error.hpp"
-#include "stresslet/simulation/case.hpp"
+#include "stresslet/simulation/any_case.hpp"
 
 namespace stresslet {
 
@@ -25,9 +25,9 @@ inline int read_any(std::string_view bytes) {
   std::vector<std::string> overrides;
   while (!bytes.empty()) overrides.emplace_back(cut());
   try {
-    const Case read = read_case_text(text, "input", overrides);
+    const AnyCase read = read_any_case_text(text, "input", overrides);
     const std::string resolved = resolved_toml(read);
-    if (!(read_case_text(resolved, "resolved") == read)) {
+    if (!(read_any_case_text(resolved, "resolved") == read)) {
       std::fprintf(stderr, "the case changes when written and read:\n%s", resolved.c_str());
       std::abort();
     }

@@ -9,15 +9,16 @@
 
 #include "stresslet/io/schema_read.hpp"
 #include "stresslet/simulation/case.hpp"
+#include "stresslet/simulation/fluid/case.hpp"
 #include "stresslet/simulation/reference.hpp"
 
 namespace stresslet {
 namespace {
 
-TEST(InputReference, ListsEveryKeyInItsSection) {
-  const std::string reference = input_reference_markdown();
+template <class AnyCase>
+void expect_every_key(const std::string& reference) {
   KeyCollector collector;
-  Case().describe(collector);
+  AnyCase().describe(collector);
   EXPECT_GE(collector.keys.size(), 45u);
   for (const std::string& path : collector.keys) {
     const std::size_t dot = path.rfind('.');
@@ -26,6 +27,14 @@ TEST(InputReference, ListsEveryKeyInItsSection) {
     const std::size_t end = reference.find("\n## [", section);
     EXPECT_THAT(reference.substr(section, end - section), ::testing::HasSubstr("\n| `" + path.substr(dot + 1) + "` |"));
   }
+}
+
+TEST(InputReference, ListsEveryKeyInItsSection) {
+  const std::string reference = input_reference_markdown();
+  const std::size_t fluid = reference.find("\n# Fluid cases\n");
+  ASSERT_NE(fluid, std::string::npos);
+  expect_every_key<Case>(reference.substr(0, fluid));
+  expect_every_key<FluidCase>(reference.substr(fluid));
 }
 
 TEST(InputReference, NamesChoicesUnitsRangesAndDefaults) {

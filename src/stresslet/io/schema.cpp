@@ -8,6 +8,30 @@
 
 namespace stresslet {
 
+namespace {
+
+template <class T>
+std::optional<std::vector<T>> read_list(const InputValue& value) {
+  const auto* list = std::get_if<InputValue::List>(&value.content);
+  if (!list) return std::nullopt;
+  std::vector<T> items;
+  for (const InputValue& entry : *list) {
+    auto item = InputType<T>::read(entry);
+    if (!item) return std::nullopt;
+    items.push_back(std::move(*item));
+  }
+  return items;
+}
+
+template <class T>
+InputValue write_list(const std::vector<T>& items) {
+  InputValue::List list;
+  for (const T& item : items) list.push_back(InputType<T>::write(item));
+  return {std::move(list), {}, {}};
+}
+
+}  // namespace
+
 bool Check::holds(double value) const {
   return (lower_excluded ? value > lower : value >= lower) && (upper_excluded ? value < upper : value <= upper);
 }
@@ -57,21 +81,36 @@ std::optional<InputPath> InputType<InputPath>::read(const InputValue& value) {
 }
 
 std::optional<std::vector<double>> InputType<std::vector<double>>::read(const InputValue& value) {
-  const auto* list = std::get_if<InputValue::List>(&value.content);
-  if (!list) return std::nullopt;
-  std::vector<double> numbers;
-  for (const InputValue& item : *list) {
-    const auto number = InputType<double>::read(item);
-    if (!number) return std::nullopt;
-    numbers.push_back(*number);
-  }
-  return numbers;
+  return read_list<double>(value);
 }
 
-InputValue InputType<std::vector<double>>::write(const std::vector<double>& value) {
-  InputValue::List list;
-  for (const double number : value) list.push_back({number, {}, {}});
-  return {std::move(list), {}, {}};
+InputValue InputType<std::vector<double>>::write(const std::vector<double>& value) { return write_list(value); }
+
+std::optional<std::vector<std::string>> InputType<std::vector<std::string>>::read(const InputValue& value) {
+  return read_list<std::string>(value);
+}
+
+InputValue InputType<std::vector<std::string>>::write(const std::vector<std::string>& value) {
+  return write_list(value);
+}
+
+std::optional<std::vector<std::vector<double>>> InputType<std::vector<std::vector<double>>>::read(
+    const InputValue& value) {
+  return read_list<std::vector<double>>(value);
+}
+
+InputValue InputType<std::vector<std::vector<double>>>::write(const std::vector<std::vector<double>>& value) {
+  return write_list(value);
+}
+
+std::optional<std::array<std::int64_t, 3>> InputType<std::array<std::int64_t, 3>>::read(const InputValue& value) {
+  const auto numbers = read_list<std::int64_t>(value);
+  if (!numbers || numbers->size() != 3) return std::nullopt;
+  return std::array{(*numbers)[0], (*numbers)[1], (*numbers)[2]};
+}
+
+InputValue InputType<std::array<std::int64_t, 3>>::write(const std::array<std::int64_t, 3>& value) {
+  return write_list(std::vector<std::int64_t>(value.begin(), value.end()));
 }
 
 std::optional<Vec3<double>> InputType<Vec3<double>>::read(const InputValue& value) {

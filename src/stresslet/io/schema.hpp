@@ -9,8 +9,8 @@
 ///
 /// and everything else is a visitor: reading (`schema_read.hpp`), resolved input and template (`schema_text.hpp`), the
 /// list of known keys and the reference. A default is the value the member has in a freshly made struct. Members may be
-/// bool, integers, double, std::string, InputPath, enums with `Keywords`, Vec3<double>, std::vector<double>, and
-/// std::optional of these for keys that have no default of their own.
+/// bool, integers, double, std::string, InputPath, enums with `Keywords`, Vec3<double>, lists, and std::optional of
+/// these for keys that have no default of their own.
 #include <array>
 #include <concepts>
 #include <filesystem>
@@ -146,6 +146,28 @@ struct InputType<Vec3<double>> {
   static constexpr std::string_view name = "a list of three numbers";
   static std::optional<Vec3<double>> read(const InputValue& value);
   static InputValue write(const Vec3<double>& value);
+};
+
+template <>
+struct InputType<std::array<std::int64_t, 3>> {
+  static constexpr std::string_view name = "a list of three whole numbers";
+  static std::optional<std::array<std::int64_t, 3>> read(const InputValue& value);
+  static InputValue write(const std::array<std::int64_t, 3>& value);
+};
+
+template <>
+struct InputType<std::vector<std::string>> {
+  static constexpr std::string_view name = "a list of texts";
+  static std::optional<std::vector<std::string>> read(const InputValue& value);
+  static InputValue write(const std::vector<std::string>& value);
+};
+
+/// Rows of numbers, such as one point or one sphere each.
+template <>
+struct InputType<std::vector<std::vector<double>>> {
+  static constexpr std::string_view name = "a list of lists of numbers";
+  static std::optional<std::vector<std::vector<double>>> read(const InputValue& value);
+  static InputValue write(const std::vector<std::vector<double>>& value);
 };
 
 template <class E>

@@ -28,7 +28,8 @@ std::vector<std::string> sections_of(const std::vector<std::string>& known) {
   std::vector<std::string> sections;
   for (const std::string& path : known) {
     const std::string section = split_path(path).first;
-    if (std::find(sections.begin(), sections.end(), section) == sections.end()) sections.push_back(section);
+    if (!section.empty() && std::find(sections.begin(), sections.end(), section) == sections.end())
+      sections.push_back(section);
   }
   return sections;
 }
@@ -76,7 +77,8 @@ Complaint unknown_key(const InputDocument& document, const std::string& path, co
   Complaint complaint{document.where(path), fmt::format("unknown key {}", shortened(path)),
                       "a key that nothing reads is refused, since it would have no effect",
                       "remove it, or correct its name"};
-  if (!here.empty()) complaint.fix = fmt::format("keys of [{}]: {}", section, comma_separated(here));
+  if (!here.empty() && !section.empty())
+    complaint.fix = fmt::format("keys of [{}]: {}", section, comma_separated(here));
 
   const auto same_name = std::find_if(known.begin(), known.end(), [&name = name](const std::string& candidate) {
     return split_path(candidate).second == name;

@@ -96,14 +96,15 @@ class SectionReader : public SectionPath {
   std::optional<Complaint> missing_;
 };
 
-/// Reads `S` from the whole document, or throws InputError.
+/// Reads `S` from the whole document, or throws InputError. `read_before` are keys that the caller has read.
 template <class S>
-S read_described(InputDocument& document) {
+S read_described(InputDocument& document, const std::vector<std::string>& read_before = {}) {
   S result;
   SectionReader reader(document);
   result.describe(reader);
   KeyCollector known;
   S().describe(known);
+  known.keys.insert(known.keys.end(), read_before.begin(), read_before.end());
   refuse_unread(document, known.keys);
   if (reader.missing()) throw InputError(*reader.missing());
   return result;

@@ -4,6 +4,7 @@
 #include "stresslet/io/schema_read.hpp"
 #include "stresslet/io/schema_text.hpp"
 #include "stresslet/simulation/case_checks.hpp"
+#include "stresslet/simulation/fidelity.hpp"
 
 namespace stresslet {
 namespace {
@@ -14,14 +15,21 @@ constexpr std::string_view default_model = "CLM-S";
 
 Case read_document(InputDocument document, const std::vector<std::string>& overrides) {
   for (const std::string& assignment : overrides) document.override_key(assignment);
-  Case result = read_described<Case>(document);
+  return read_case(std::move(document));
+}
+
+}  // namespace
+
+Case read_case(InputDocument document) {
+  if (fidelity_of(document) != Fidelity::lubricated)
+    throw InputError({document.where(fidelity_key), "this is no case of the lubricated model",
+                      "its fidelity is another one", "give a case with fidelity = \"lubricated\""});
+  Case result = read_described<Case>(document, {fidelity_key});
   result.source.document = std::move(document);
   check_case(result);
   settle(result);
   return result;
 }
-
-}  // namespace
 
 ModelSwitches Case::switches() const {
   if (model.name) return switches_of_model(*model.name).value();

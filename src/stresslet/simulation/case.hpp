@@ -1,5 +1,6 @@
 #pragma once
-/// A case: everything the input says, checked, with every choice made that the input left to a default.
+/// A case of the lubricated model: everything the input says, checked, with every choice made that the input left to a
+/// default.
 ///
 /// Reading ends with a settled case: of each group of equivalent keys exactly one is given (one of model.name and the
 /// switches; one of the three stiffness keys; flow.stokes or [units]; suspension.file or solid_fraction, count,
@@ -10,18 +11,11 @@
 #include <string_view>
 #include <vector>
 
-#include "stresslet/io/input_document.hpp"
 #include "stresslet/simulation/case_sections.hpp"
+#include "stresslet/simulation/case_source.hpp"
 #include "stresslet/simulation/case_suspension.hpp"
 
 namespace stresslet {
-
-/// Where each key came from, for messages about values that only later prove impossible. No part of what a case says:
-/// all sources compare equal.
-struct CaseSource {
-  InputDocument document;
-  friend bool operator==(const CaseSource&, const CaseSource&) { return true; }
-};
 
 struct Case {
   SuspensionInput suspension;
@@ -67,6 +61,9 @@ struct Case {
 /// Reads, checks and settles a case. `overrides` are "key=value", applied in order.
 /// Throws InputError with file and line.
 Case read_case(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
+
+/// The same for a document with its overrides applied.
+Case read_case(InputDocument document);
 
 /// The same for a text at hand, such as the resolved input kept in a result; `name` stands for it in messages.
 Case read_case_text(std::string_view text, const std::string& name, const std::vector<std::string>& overrides = {},

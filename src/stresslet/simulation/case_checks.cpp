@@ -7,8 +7,8 @@
 #include <numbers>
 #include <utility>
 
-#include "stresslet/base/error.hpp"
 #include "stresslet/simulation/case.hpp"
+#include "stresslet/simulation/case_refusals.hpp"
 
 namespace stresslet {
 namespace {
@@ -17,29 +17,6 @@ namespace {
 constexpr double densest_equal_spheres = std::numbers::pi / (3 * std::numbers::sqrt2);
 constexpr double densest_considered = 0.9;
 constexpr double share_sum_tolerance = 1e-3;
-
-[[noreturn]] void refuse(const std::string& where, const std::string& problem, const std::string& reason,
-                         const std::string& fix) {
-  throw InputError({where, problem, reason, fix});
-}
-
-/// A key and whether it is given.
-struct Given {
-  std::string_view key;
-  bool given;
-};
-
-void refuse_both(const Case& read, std::string_view first, std::string_view second, std::string_view reason) {
-  refuse(read.where(second), fmt::format("both {} and {} are given", first, second),
-         fmt::format("{}; {} is given at {}", reason, first, read.where(first)),
-         fmt::format("remove one of them, or override with --set {}=", first));
-}
-
-void refuse_any_with(const Case& read, std::string_view owner, std::initializer_list<Given> others,
-                     std::string_view reason) {
-  for (const Given& other : others)
-    if (other.given) refuse_both(read, owner, other.key, reason);
-}
 
 void check_suspension(const Case& read) {
   const SuspensionInput& suspension = read.suspension;

@@ -5,18 +5,11 @@
 
 #include "stresslet/simulation/plan.hpp"
 #include "stresslet/simulation/progress.hpp"
+#include "stresslet/simulation/report_lines.hpp"
 
 namespace stresslet {
 
 namespace {
-
-std::string line(const std::string& label, const std::string& value, const std::string& remark = {}) {
-  return fmt::format("  {:<28}{}\n", label, remark.empty() ? value : fmt::format("{:<22} {}", value, remark));
-}
-
-std::string memory(double bytes) {
-  return bytes < 1e9 ? fmt::format("{:.0f} MB", std::max(bytes / 1e6, 1.0)) : fmt::format("{:.1f} GB", bytes / 1e9);
-}
 
 std::string suspension_lines(const Case& c, const Plan& p) {
   const auto [smallest, largest] = std::minmax_element(p.radii.begin(), p.radii.end());
@@ -82,7 +75,7 @@ std::string cost_lines(const Case& c, const Plan& p) {
                                   : "averages from the detected steady state");
   text += line("steps", fmt::format("{:.4g}", p.steps(c.run.strain)));
   text += line("threads", fmt::format("{}", p.threads));
-  text += line("memory", memory(p.memory_bytes()));
+  text += line("memory", memory_text(p.memory_bytes()));
   text +=
       line("expected time", duration_text(p.expected_seconds(c.run.strain)), "rough, see the progress line of the run");
   return text;

@@ -21,6 +21,7 @@ void Progress::show(const std::string& line) {
 
 void Progress::finish() {
   if (!quiet_ && terminal_ && shown_) fmt::print(stderr, "\n");
+  shown_ = false;
 }
 
 std::string duration_text(double seconds) {

@@ -9,6 +9,9 @@ namespace stresslet {
 class Progress {
  public:
   explicit Progress(bool quiet);
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+  ~Progress() { finish(); }
 
   /// Whether enough time has passed for another line; the caller then makes it.
   bool due() const { return !quiet_ && since_.seconds() >= interval_; }

@@ -16,6 +16,7 @@
 #include "stresslet/simulation/plan.hpp"
 #include "stresslet/simulation/progress.hpp"
 #include "stresslet/simulation/run_checkpoint.hpp"
+#include "stresslet/simulation/run_parts.hpp"
 #include "stresslet/simulation/snapshot.hpp"
 #include "stresslet/simulation/stability.hpp"
 #include "stresslet/simulation/step.hpp"
@@ -28,7 +29,6 @@ namespace {
 constexpr double strain_round_off = 1e-9;
 constexpr double profile_from_without_average = 1.0;  // strain, where the steady state is detected afterwards
 constexpr double stop_check_strain = 0.1;             // between two looks at run.relative_error
-constexpr double largest_commit_share = 0.02;         // of the wall time
 
 /// A run in progress.
 struct Run {
@@ -42,7 +42,8 @@ struct Run {
   ShearProfile profile;
   RunCost cost_before;  ///< of the sessions before this one
   Progress progress;
-  Timer wall, since_commit;
+  CommitClock commit_clock;
+  Timer wall;
   std::int64_t first_step = 0;
   double committed_strain = 0;
 
@@ -84,22 +85,8 @@ void commit(Run& run) {
   Checkpoint checkpoint = make_checkpoint(run.suspension);
   add_run_state(checkpoint, run.profile.sums(), run.cost());
   run.results.commit(checkpoint);
-  run.since_commit.restart();
+  run.commit_clock.restart();
   run.committed_strain = run.suspension.strain;
-}
-
-/// The first commit, before the first step: what cannot be written, or was damaged, is found before time is spent.
-void commit_before_running(Run& run) {
-  try {
-    commit(run);
-  } catch (const Error& error) {
-    throw InputError({"", error.what(), "", ""});
-  }
-}
-
-bool commit_due(const Run& run) {
-  return run.since_commit.seconds() >=
-         std::max(run.settled.output.commit_every, run.results.commit_cost() / largest_commit_share);
 }
 
 void show_progress(Run& run) {
@@ -137,7 +124,7 @@ std::string advance(Run& run) {
         run.results.add_snapshot(make_snapshot(s));
       }
       if (run.progress.due()) show_progress(run);
-      if (commit_due(run)) commit(run);
+      if (run.commit_clock.due(run.results.commit_cost())) commit(run);
       if (precise_enough(run)) return "converged";
     }
     if (run.options.stop && *run.options.stop) return "interrupted";
@@ -161,19 +148,12 @@ ExitCode finish(Run& run) {
   return ExitCode::success;
 }
 
-/// Adds to a failure where the last good state lies.
-ExitCode finish_or_explain(Run& run) {
-  try {
-    return finish(run);
-  } catch (const NumericalFailure& failure) {
-    run.progress.finish();
-    throw NumericalFailure(
-        {"",
-         fmt::format("{}\n  kept: all results up to strain {:.6g}. 'stresslet restart {}' goes on from there with the "
-                     "same physics and time step; a new run can start from the last snapshot (suspension.file)",
-                     failure.what(), run.committed_strain, run.results.path().string()),
-         "", ""});
-  }
+/// From the first commit to the end.
+ExitCode commit_and_finish(Run& run) {
+  commit_before_running([&] { commit(run); });
+  return finish_or_explain(
+      run.results.path(), "the last snapshot (suspension.file)", [&] { return finish(run); },
+      [&] { return fmt::format("strain {:.6g}", run.committed_strain); });
 }
 
 OutputChoice output_choice(const Case& c) { return {c.output.csv, c.output.xyz, c.output.paraview}; }
@@ -205,19 +185,19 @@ ExitCode run_case(const Case& settled, const RunOptions& options) {
           ShearProfile(box, std::size_t(settled.output.profile_bins)),
           {},
           Progress(options.quiet),
-          {},
+          CommitClock(settled.output.commit_every),
           {}};
   start(run.suspension, run.team);
   take_sample(run);
   check_explicit_stability(run);
   run.results.add_snapshot(make_snapshot(run.suspension));
-  commit_before_running(run);
-  return finish_or_explain(run);
+  return commit_and_finish(run);
 }
 
 ExitCode restart_run(const std::vector<std::string>& overrides, const RunOptions& options) {
   const ResultsReader reader(options.output / results_file_name);
-  refuse_changed_physics(overrides);
+  refuse_changed_physics(overrides, changeable_by_restart,
+                         "start a new run from the last snapshot with suspension.file");
   const Case settled =
       read_case_text(reader.resolved_input(), (options.output / results_file_name).string(), overrides);
   const Plan plan = make_restart_plan(settled, reader);
@@ -244,12 +224,11 @@ ExitCode restart_run(const std::vector<std::string>& overrides, const RunOptions
           std::move(profile),
           run_cost(checkpoint),
           Progress(options.quiet),
-          {},
+          CommitClock(settled.output.commit_every),
           {}};
   run.first_step = run.suspension.steps;
   resume(run.suspension);
-  commit_before_running(run);
-  return finish_or_explain(run);
+  return commit_and_finish(run);
 }
 
 }  // namespace stresslet

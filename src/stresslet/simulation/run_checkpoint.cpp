@@ -1,32 +1,8 @@
 #include "stresslet/simulation/run_checkpoint.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <string_view>
-
-#include "stresslet/base/error.hpp"
+#include "stresslet/simulation/stored.hpp"
 
 namespace stresslet {
-
-namespace {
-
-constexpr std::array<std::string_view, 9> changeable{
-    "run.strain",          "run.average_from", "run.relative_error", "run.threads",    "run.monitor_tolerance",
-    "output.commit_every", "output.csv",       "output.xyz",         "output.paraview"};
-
-template <class Value, class Map>
-const Value& stored(const Map& map, const std::string& name) {
-  const auto found = map.find(name);
-  if (found == map.end() || !std::holds_alternative<Value>(found->second))
-    throw InputError({"", "the checkpoint holds no " + name, "it was damaged, or written by another version",
-                      "start the run anew, or restart with the version that wrote the result"});
-  return std::get<Value>(found->second);
-}
-
-}  // namespace
 
 void add_run_state(Checkpoint& checkpoint, const ProfileSums& profile, const RunCost& cost) {
   checkpoint.arrays["profile_volume"] = profile.volume;
@@ -68,18 +44,6 @@ void set_profiles(ResultsFolder& results, const ShearProfile& profile) {
   set("height", "d", "middle of the layer, along the velocity gradient", profile.height());
   set("solid_fraction", "1", "solid fraction of the layer, mean over the averaging window", profile.solid_fraction());
   set("velocity", "d*shear_rate", "velocity u_x of the spheres in the layer, weighted by volume", profile.velocity());
-}
-
-void refuse_changed_physics(const std::vector<std::string>& overrides) {
-  for (const std::string& assignment : overrides) {
-    const std::string key = assignment.substr(0, assignment.find('='));
-    if (std::find(changeable.begin(), changeable.end(), key) == changeable.end())
-      throw InputError({"--set " + assignment, fmt::format("{} cannot be changed by a restart", key),
-                        "the series would mix two different runs and its means would mean nothing",
-                        fmt::format("start a new run from the last snapshot with suspension.file; a restart may change "
-                                    "{}",
-                                    fmt::join(changeable, ", "))});
-  }
 }
 
 Plan make_restart_plan(const Case& settled, const ResultsReader& reader) {

@@ -1,6 +1,8 @@
 #pragma once
 /// What a run keeps in its checkpoint besides the suspension, and what a restart reads back.
+#include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "stresslet/io/results_folder.hpp"
@@ -20,8 +22,10 @@ Series restored_series(const ResultsReader& reader);
 /// Puts the profiles of velocity and solid fraction into the results.
 void set_profiles(ResultsFolder& results, const ShearProfile& profile);
 
-/// Throws InputError for an override that would make the continuation another run.
-void refuse_changed_physics(const std::vector<std::string>& overrides);
+/// Keys that may be overridden when a run goes on.
+inline constexpr std::array<std::string_view, 9> changeable_by_restart{
+    "run.strain",          "run.average_from", "run.relative_error", "run.threads",    "run.monitor_tolerance",
+    "output.commit_every", "output.csv",       "output.xyz",         "output.paraview"};
 
 /// The plan of a continuation: particles and box come from the checkpoint instead of a packing or a start file.
 Plan make_restart_plan(const Case& settled, const ResultsReader& reader);

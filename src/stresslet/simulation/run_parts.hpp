@@ -1,0 +1,44 @@
+#pragma once
+/// What runs of every fidelity share: when to commit, what a failure says, what a restart may change.
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "stresslet/base/error.hpp"
+#include "stresslet/exec/timer.hpp"
+
+namespace stresslet {
+
+/// Tells when the next commit is due: not before `interval` seconds, and so that commits take a small share of the
+/// time.
+class CommitClock {
+ public:
+  explicit CommitClock(double interval) : interval_(interval) {}
+  bool due(double commit_cost) const {
+    return since_.seconds() >= std::max(interval_, commit_cost / largest_commit_share);
+  }
+  void restart() { since_.restart(); }
+
+ private:
+  static constexpr double largest_commit_share = 0.02;  // of the wall time
+  double interval_;
+  Timer since_;
+};
+
+/// The first commit, before the first step: what cannot be written, or was damaged, is wrong input.
+void commit_before_running(const std::function<void()>& commit);
+
+/// Runs `finish`; to a failure it adds what is kept: `committed` says up to when ("strain 2"), `start` what a new run
+/// can start from.
+ExitCode finish_or_explain(const std::filesystem::path& results, std::string_view start,
+                           const std::function<ExitCode()>& finish, const std::function<std::string()>& committed);
+
+/// Throws InputError for an override of a key that is not `changeable`. `instead` says how to get another run.
+void refuse_changed_physics(const std::vector<std::string>& overrides, std::span<const std::string_view> changeable,
+                            std::string_view instead);
+
+}  // namespace stresslet

@@ -32,7 +32,7 @@ std::vector<std::string> all_ids() {
 }
 
 INSTANTIATE_TEST_SUITE_P(Cases, ValidateQuick, ::testing::ValuesIn(all_ids()),
-                         [](const auto& info) { return info.param; });
+                         [](const auto& test) { return test.param; });
 
 TEST(Validate, ListShowsEveryCase) {
   const Outcome outcome = stresslet({"validate", "list"});

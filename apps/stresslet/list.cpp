@@ -25,14 +25,14 @@ void print_laws(const char* title, const char* key) {
   fmt::print("{} ({})\n", title, key);
   List::for_each([](auto tag) {
     using Law = typename decltype(tag)::type;
-    fmt::print("  {:<18}{}\n", Law::name, Law::summary);
+    fmt::print("  {:<22}{}\n", Law::name, Law::summary);
   });
 }
 
 void print_models() {
   fmt::print("models (model.name)\n");
   for (const NamedModel& m : named_models)
-    fmt::print("  {:<18}lubrication {}{}{}\n", m.name, m.switches.lubrication, m.switches.drag ? ", Stokes drag" : "",
+    fmt::print("  {:<22}lubrication {}{}{}\n", m.name, m.switches.lubrication, m.switches.drag ? ", Stokes drag" : "",
                m.switches.stresslet ? ", stresslet" : "");
 }
 

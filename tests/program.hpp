@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -55,6 +56,14 @@ struct Outcome {
   std::string out, err;
   double peak_bytes = 0;  ///< largest resident memory
 };
+
+/// What tells a file from the one that replaces it, empty where there is none.
+inline std::string file_identity(const std::string& file) {
+  struct stat status {};
+  if (::stat(file.c_str(), &status) != 0) return "";
+  return std::to_string(status.st_ino) + " " + std::to_string(status.st_mtim.tv_sec) + " " +
+         std::to_string(status.st_mtim.tv_nsec);
+}
 
 /// A process; killed and waited for if the test leaves it running.
 class Process {

@@ -100,9 +100,10 @@ class FluidRestart : public ::testing::TestWithParam<Kind> {
  protected:
   /// Starts or restarts a run that would go on for long, and stops it some time after its first commit and fields.
   Outcome stopped(const std::vector<std::string>& command, int signal, int milliseconds) {
+    const std::string file = results_ + "/results.h5", before = file_identity(file);
     Process process(stresslet_command(command));
     EXPECT_TRUE(process.run_until([&] {
-      return std::filesystem::exists(results_ + "/results.h5") && std::filesystem::exists(results_ + "/fields.xdmf") &&
+      return file_identity(file) != before && std::filesystem::exists(results_ + "/fields.xdmf") &&
              names_in(results_ + "/fields").size() > 2;
     }));
     std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));

@@ -74,8 +74,9 @@ class Restart : public ::testing::TestWithParam<Model> {
  protected:
   /// Starts or restarts a run that would go on for long, and stops it `milliseconds` after its first commit.
   Outcome stopped(const std::vector<std::string>& command, int signal, int milliseconds) {
+    const std::string file = results_ + "/results.h5", before = file_identity(file);
     Process process(stresslet_command(command));
-    EXPECT_TRUE(process.run_until([&] { return std::filesystem::exists(results_ + "/results.h5"); }));
+    EXPECT_TRUE(process.run_until([&] { return file_identity(file) != before; }));
     std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
     process.send(signal);
     return process.wait();

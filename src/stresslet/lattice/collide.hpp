@@ -19,8 +19,9 @@ struct AsCollided {
 /// Replaces the incoming populations by the outgoing ones:  f' = f - Lambda (f - target) + added, handed through
 /// `finish` pair by pair together with f, for cells that are not all fluid.
 template <class Collision, class Forcing, class Stencil, class R, class Finish = AsCollided>
-void collide(CellPopulations<Stencil, R>& f, typename Collision::template Cell<Stencil, R>& collision,
-             const BodyForce<R>& force, const Finish& finish = {}) {
+[[gnu::always_inline]] inline void collide(CellPopulations<Stencil, R>& f,
+                                           typename Collision::template Cell<Stencil, R>& collision,
+                                           const BodyForce<R>& force, const Finish& finish = {}) {
   using ForcingCell = typename Forcing::template Cell<Stencil, R>;
   const ForcingCell forcing(moments_of(f), force);
   const auto departure = [&](auto k) {

@@ -22,13 +22,14 @@ class RowSweep {
   using Rates = typename Collision::template Cell<Stencil, R>;
   static constexpr std::ptrdiff_t width = R::size(), line = cache_line / sizeof(T);
 
-  explicit RowSweep(const SweepInput& input)
+  [[gnu::always_inline]] explicit RowSweep(const SweepInput& input)
       : rates_(input.rates),
         force_{{as<R>(input.force_density.x), as<R>(input.force_density.y), as<R>(input.force_density.z)},
                as<R>(input.rates.odd)} {}
 
   /// `start` is the index of the row's first cell.
-  void start(const Populations<Stencil, T>& populations, Arrangement arrangement, std::size_t start) {
+  [[gnu::always_inline]] void start(const Populations<Stencil, T>& populations, Arrangement arrangement,
+                                    std::size_t start) {
     for (int i = 0; i < Stencil::size; ++i) source_[i] = populations.source(i, arrangement) + start;
   }
 

@@ -20,7 +20,7 @@ double default_step(const Suspension& s, const std::string& scheme) {
 
 Suspension make(std::size_t particles) {
   Packing packing = generate_packing(Discrete::sizes({{1.0, 1.4}, {}, {0.5, 0.5}}, particles),
-                                     {.solid_fraction = 0.5, .density = stokes_number});
+                                     {.solid_fraction = 0.5, .density = stokes_number, .where = {}});
   Suspension s;
   s.physics.contact.stiffness = 2.5e5;
   s.box = packing.box;

@@ -24,11 +24,11 @@ template <class Collision, class Forcing, class Stencil, class R, class Finish =
                                            const BodyForce<R>& force, const Finish& finish = {}) {
   using ForcingCell = typename Forcing::template Cell<Stencil, R>;
   const ForcingCell forcing(moments_of(f), force);
-  const auto departure = [&](auto k) {
+  const auto departure = [&](auto k) __attribute__((always_inline)) {
     const EvenOdd<R> target = forcing.template target<first_of_pair(k)>();
     return EvenOdd<R>{f.pair[k].even - target.even, f.pair[k].odd - target.odd};
   };
-  const auto relax = [&](auto k, const EvenOdd<R>& g) {
+  const auto relax = [&](auto k, const EvenOdd<R>& g) __attribute__((always_inline)) {
     constexpr int i = first_of_pair(k);
     const EvenOdd<R> taken = collision.template pair<i>(g);
     EvenOdd<R> after{f.pair[k].even - taken.even, f.pair[k].odd - taken.odd};
@@ -39,7 +39,7 @@ template <class Collision, class Forcing, class Stencil, class R, class Finish =
     }
     f.pair[k] = finish.template pair<i>(f.pair[k], after);
   };
-  const auto relax_rest = [&](const R& g) {
+  const auto relax_rest = [&](const R& g) __attribute__((always_inline)) {
     R after = f.rest - collision.rest(g);
     if constexpr (ForcingCell::adds) after += forcing.rest_added();
     f.rest = finish.rest(f.rest, after);
@@ -49,13 +49,13 @@ template <class Collision, class Forcing, class Stencil, class R, class Finish =
   if constexpr (Collision::template Cell<Stencil, R>::whole_cell) {
     CellPopulations<Stencil, R> g;
     g.rest = rest_departure;
-    unroll<Stencil::pairs>([&](auto k) { g.pair[k] = departure(k); });
+    unroll<Stencil::pairs>([&](auto k) __attribute__((always_inline)) { g.pair[k] = departure(k); });
     collision.prepare(g);
     relax_rest(g.rest);
-    unroll<Stencil::pairs>([&](auto k) { relax(k, g.pair[k]); });
+    unroll<Stencil::pairs>([&](auto k) __attribute__((always_inline)) { relax(k, g.pair[k]); });
   } else {
     relax_rest(rest_departure);
-    unroll<Stencil::pairs>([&](auto k) { relax(k, departure(k)); });
+    unroll<Stencil::pairs>([&](auto k) __attribute__((always_inline)) { relax(k, departure(k)); });
   }
 }
 

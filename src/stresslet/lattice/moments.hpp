@@ -26,7 +26,7 @@ constexpr int first_of_pair(int k) { return 2 * k + 1; }
 
 /// c_i . a, without multiplications.
 template <class Stencil, int i, class R>
-R along(const Vec3<R>& a) {
+[[gnu::always_inline]] inline R along(const Vec3<R>& a) {
   constexpr auto c = Stencil::velocity[i];
   const auto add = [](const R& sum, const R& term, auto sign) {
     if constexpr (sign.value > 0)
@@ -67,9 +67,9 @@ struct Moments {
 };
 
 template <class Stencil, class R>
-Moments<R> moments_of(const CellPopulations<Stencil, R>& f) {
+[[gnu::always_inline]] inline Moments<R> moments_of(const CellPopulations<Stencil, R>& f) {
   Moments<R> m{f.rest, {as<R>(0), as<R>(0), as<R>(0)}};
-  unroll<Stencil::pairs>([&](auto k) {
+  unroll<Stencil::pairs>([&](auto k) __attribute__((always_inline)) {
     constexpr auto c = Stencil::velocity[first_of_pair(k)];
     const auto& [even, odd] = f.pair[k];
     m.density_deviation += even;
@@ -84,10 +84,10 @@ Moments<R> moments_of(const CellPopulations<Stencil, R>& f) {
 
 /// sum g c c over all populations; of deviations from the rest state, where g are populations.
 template <class Stencil, class R>
-SymTensor3<R> second_moment(const CellPopulations<Stencil, R>& g) {
+[[gnu::always_inline]] inline SymTensor3<R> second_moment(const CellPopulations<Stencil, R>& g) {
   const R zero = as<R>(0);
   SymTensor3<R> p{zero, zero, zero, zero, zero, zero};
-  unroll<Stencil::pairs>([&](auto k) {
+  unroll<Stencil::pairs>([&](auto k) __attribute__((always_inline)) {
     constexpr auto c = Stencil::velocity[first_of_pair(k)];
     const R even = g.pair[k].even;
     if constexpr (c[0] != 0) p.xx += even;
@@ -112,11 +112,11 @@ class Equilibrium {
         density_(as<R>(1) + density_deviation),
         isotropic_(density_deviation - as<R>(1.5) * density_ * dot(velocity, velocity)) {}
 
-  R rest() const { return as<R>(Stencil::weight[0]) * isotropic_; }
+  [[gnu::always_inline]] R rest() const { return as<R>(Stencil::weight[0]) * isotropic_; }
 
   /// Sum and difference of the pair whose first population is `i`.
   template <int i>
-  EvenOdd<R> pair() const {
+  [[gnu::always_inline]] EvenOdd<R> pair() const {
     constexpr double w = Stencil::weight[i];
     const R cu = along<Stencil, i>(velocity_);
     const R density_cu = density_ * cu;

@@ -42,25 +42,25 @@ class RowSweep {
   /// Steps the cells [x, x + width), or only the first `cells` of them, with `collide_cells(f, rates, force)`.
   template <class Collide>
   [[gnu::always_inline]] void step(std::ptrdiff_t x, std::ptrdiff_t cells, Collide&& collide_cells) const {
-    const auto load = [&](int i) { return R(source_[i] + x, stdx::element_aligned); };
+    const auto load = [&](int i) __attribute__((always_inline)) { return R(source_[i] + x, stdx::element_aligned); };
     CellPopulations<Stencil, R> f;
     f.rest = load(0);
-    unroll<Stencil::pairs>([&](auto k) {
+    unroll<Stencil::pairs>([&](auto k) __attribute__((always_inline)) {
       const R along = load(first_of_pair(k)), against = load(first_of_pair(k) + 1);
       f.pair[k] = {along + against, along - against};
     });
     Rates rates = rates_;
     collide_cells(f, rates, force_);
     if (cells >= width)
-      store_all(f, [&](int i, const R& value) { value.copy_to(source_[i] + x, stdx::element_aligned); });
+      store_all(f, [&](int i, const R& value) __attribute__((always_inline)) { value.copy_to(source_[i] + x, stdx::element_aligned); });
     else
-      store_all(f, [&](int i, const R& value) {
+      store_all(f, [&](int i, const R& value) __attribute__((always_inline)) {
         const typename R::mask_type inside = R([](auto lane) { return T(lane); }) < R(T(cells));
         stdx::where(inside, value).copy_to(source_[i] + x, stdx::element_aligned);
       });
   }
   [[gnu::always_inline]] void step(std::ptrdiff_t x, std::ptrdiff_t cells) const {
-    step(x, cells, [](auto& f, auto& rates, const auto& force) { collide<Collision, Forcing>(f, rates, force); });
+    step(x, cells, [](auto& f, auto& rates, const auto& force) __attribute__((always_inline)) { collide<Collision, Forcing>(f, rates, force); });
   }
 
  private:
@@ -68,7 +68,7 @@ class RowSweep {
   [[gnu::always_inline]] static void store_all(const CellPopulations<Stencil, R>& f, Store&& store) {
     const R half = as<R>(0.5);
     store(0, f.rest);
-    unroll<Stencil::pairs>([&](auto k) {
+    unroll<Stencil::pairs>([&](auto k) __attribute__((always_inline)) {
       store(first_of_pair(k) + 1, half * (f.pair[k].even + f.pair[k].odd));
       store(first_of_pair(k), half * (f.pair[k].even - f.pair[k].odd));
     });

@@ -26,9 +26,9 @@ struct Bgk {
     static constexpr bool whole_cell = false;
     R rate;
     explicit Cell(const RelaxationRates& r) : rate(as<R>(r.shear)) {}
-    R rest(const R& g) const { return rate * g; }
+    [[gnu::always_inline]] R rest(const R& g) const { return rate * g; }
     template <int i>
-    EvenOdd<R> pair(const EvenOdd<R>& g) const {
+    [[gnu::always_inline]] EvenOdd<R> pair(const EvenOdd<R>& g) const {
       return {rate * g.even, rate * g.odd};
     }
   };

@@ -31,32 +31,19 @@ struct Mrt {
           deviatoric_weight_(as<R>(4.5 * (r.shear - r.higher_even))),
           trace_weight_(as<R>(4.5 / Stencil::dimensions * (r.bulk - r.higher_even))) {}
 
-    void prepare(const CellPopulations<Stencil, R>& g) {
+    [[gnu::always_inline]] void prepare(const CellPopulations<Stencil, R>& g) {
       R sum = g.rest;
-      stress_ = {};
-      unroll<Stencil::pairs>([&](auto k) {
-        constexpr auto c = Stencil::velocity[first_of_pair(k)];
-        const R even = g.pair[k].even;
-        sum += even;
-        if constexpr (c[0] != 0) stress_.xx += even;
-        if constexpr (c[1] != 0) stress_.yy += even;
-        if constexpr (c[2] != 0) stress_.zz += even;
-        if constexpr (c[0] * c[1] > 0) stress_.xy += even;
-        if constexpr (c[0] * c[1] < 0) stress_.xy -= even;
-        if constexpr (c[0] * c[2] > 0) stress_.xz += even;
-        if constexpr (c[0] * c[2] < 0) stress_.xz -= even;
-        if constexpr (c[1] * c[2] > 0) stress_.yz += even;
-        if constexpr (c[1] * c[2] < 0) stress_.yz -= even;
-      });
+      for (const EvenOdd<R>& pair : g.pair) sum += pair.even;
+      stress_ = second_moment(g);
       // The trace over the stencil's dimensions; c.c - D/3 has no part along the density.
       trace_ = stress_.xx + stress_.yy + stress_.zz - as<R>(Stencil::dimensions / 3.0) * sum;
       mean_ = (stress_.xx + stress_.yy + stress_.zz) * as<R>(1.0 / Stencil::dimensions);
     }
 
-    R rest(const R& g) const { return higher_ * g + as<R>(Stencil::weight[0]) * trace_part<0>(); }
+    [[gnu::always_inline]] R rest(const R& g) const { return higher_ * g + as<R>(Stencil::weight[0]) * trace_part<0>(); }
 
     template <int i>
-    EvenOdd<R> pair(const EvenOdd<R>& g) const {
+    [[gnu::always_inline]] EvenOdd<R> pair(const EvenOdd<R>& g) const {
       constexpr auto c = Stencil::velocity[i];
       R along_c = as<R>(0);  // c.(Pi - mean).c
       if constexpr (c[0] != 0) along_c += stress_.xx - mean_;
@@ -71,7 +58,7 @@ struct Mrt {
 
    private:
     template <int i>
-    R trace_part() const {
+    [[gnu::always_inline]] R trace_part() const {
       constexpr double length = Stencil::squared_length(Stencil::velocity[i]);
       return as<R>(length - Stencil::dimensions / 3.0) * trace_weight_ * trace_;
     }

@@ -23,9 +23,9 @@ struct Trt {
     static constexpr bool whole_cell = false;
     R even, odd;
     explicit Cell(const RelaxationRates& r) : even(as<R>(r.shear)), odd(as<R>(r.odd)) {}
-    R rest(const R& g) const { return even * g; }
+    [[gnu::always_inline]] R rest(const R& g) const { return even * g; }
     template <int i>
-    EvenOdd<R> pair(const EvenOdd<R>& g) const {
+    [[gnu::always_inline]] EvenOdd<R> pair(const EvenOdd<R>& g) const {
       return {even * g.even, odd * g.odd};
     }
   };

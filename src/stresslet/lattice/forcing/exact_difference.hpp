@@ -16,15 +16,15 @@ class ExactDifferenceCell {
       : before_(m.density_deviation, m.momentum / m.density()),
         after_(m.density_deviation, (m.momentum + force.density) / m.density()) {}
 
-  R rest_target() const { return before_.rest(); }
-  R rest_added() const { return after_.rest() - before_.rest(); }
+  [[gnu::always_inline]] R rest_target() const { return before_.rest(); }
+  [[gnu::always_inline]] R rest_added() const { return after_.rest() - before_.rest(); }
 
   template <int i>
-  EvenOdd<R> target() const {
+  [[gnu::always_inline]] EvenOdd<R> target() const {
     return before_.template pair<i>();
   }
   template <int i>
-  EvenOdd<R> added() const {
+  [[gnu::always_inline]] EvenOdd<R> added() const {
     const auto a = after_.template pair<i>(), b = before_.template pair<i>();
     return {a.even - b.even, a.odd - b.odd};
   }

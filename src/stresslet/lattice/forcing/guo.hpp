@@ -16,17 +16,17 @@ class GuoCell {
         force_(force.density),
         force_velocity_(dot(force_, equilibrium_.velocity())) {}
 
-  R rest_added() const { return as<R>(-3 * Stencil::weight[0]) * force_velocity_; }
-  R rest_target() const { return equilibrium_.rest() - as<R>(0.5) * rest_added(); }
+  [[gnu::always_inline]] R rest_added() const { return as<R>(-3 * Stencil::weight[0]) * force_velocity_; }
+  [[gnu::always_inline]] R rest_target() const { return equilibrium_.rest() - as<R>(0.5) * rest_added(); }
 
   template <int i>
-  EvenOdd<R> added() const {
+  [[gnu::always_inline]] EvenOdd<R> added() const {
     constexpr double w = Stencil::weight[i];
     const R cu = along<Stencil, i>(equilibrium_.velocity()), cf = along<Stencil, i>(force_);
     return {as<R>(6 * w) * (as<R>(3) * cu * cf - force_velocity_), as<R>(6 * w) * cf};
   }
   template <int i>
-  EvenOdd<R> target() const {
+  [[gnu::always_inline]] EvenOdd<R> target() const {
     const auto [even, odd] = equilibrium_.template pair<i>();
     const auto [source_even, source_odd] = added<i>();
     return {even - as<R>(0.5) * source_even, odd - as<R>(0.5) * source_odd};

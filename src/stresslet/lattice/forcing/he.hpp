@@ -15,15 +15,15 @@ class HeCell {
         acceleration_(as<R>(3) * force.density / m.density()),
         acceleration_velocity_(dot(acceleration_, equilibrium_.velocity())) {}
 
-  R rest_added() const { return -acceleration_velocity_ * (as<R>(Stencil::weight[0]) + equilibrium_.rest()); }
-  R rest_target() const { return equilibrium_.rest() - as<R>(0.5) * rest_added(); }
+  [[gnu::always_inline]] R rest_added() const { return -acceleration_velocity_ * (as<R>(Stencil::weight[0]) + equilibrium_.rest()); }
+  [[gnu::always_inline]] R rest_target() const { return equilibrium_.rest() - as<R>(0.5) * rest_added(); }
 
   template <int i>
-  EvenOdd<R> added() const {
+  [[gnu::always_inline]] EvenOdd<R> added() const {
     return source<i>(equilibrium_.template pair<i>());
   }
   template <int i>
-  EvenOdd<R> target() const {
+  [[gnu::always_inline]] EvenOdd<R> target() const {
     const auto eq = equilibrium_.template pair<i>();
     const auto phi = source<i>(eq);
     return {eq.even - as<R>(0.5) * phi.even, eq.odd - as<R>(0.5) * phi.odd};

@@ -26,9 +26,9 @@ class NoForceCell {
   static constexpr bool adds = false;
   NoForceCell(const Moments<R>& m, const BodyForce<R>&) : equilibrium_(m.density_deviation, m.momentum / m.density()) {}
 
-  R rest_target() const { return equilibrium_.rest(); }
+  [[gnu::always_inline]] R rest_target() const { return equilibrium_.rest(); }
   template <int i>
-  EvenOdd<R> target() const {
+  [[gnu::always_inline]] EvenOdd<R> target() const {
     return equilibrium_.template pair<i>();
   }
 

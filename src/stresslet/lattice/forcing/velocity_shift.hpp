@@ -13,9 +13,9 @@ class VelocityShiftCell {
   VelocityShiftCell(const Moments<R>& m, const BodyForce<R>& force)
       : equilibrium_(m.density_deviation, (m.momentum + force.density / force.odd_rate) / m.density()) {}
 
-  R rest_target() const { return equilibrium_.rest(); }
+  [[gnu::always_inline]] R rest_target() const { return equilibrium_.rest(); }
   template <int i>
-  EvenOdd<R> target() const {
+  [[gnu::always_inline]] EvenOdd<R> target() const {
     return equilibrium_.template pair<i>();
   }
 

@@ -1,7 +1,7 @@
 #include "stresslet/coupling/resolved_fluid.hpp"
 
 #include <algorithm>
-#include <map>
+#include <tuple>
 
 #include "stresslet/coupling/laws.hpp"
 #include "stresslet/lattice/boundary/make_boundaries.hpp"
@@ -13,9 +13,9 @@ namespace stresslet {
 ResolvedFluid::ResolvedFluid(const FluidSetup& setup, const CouplingSetup& coupling)
     : lattice_(setup.grid),
       boundaries_(make_boundaries<Stencil, double>(setup)),
-      sweep_(resolved_sweep_for<Stencil>(setup.collision, coupling.coupling_operator)),
-      solid_(coupling.solid),
-      covered_(setup.grid) {
+      sweep_(resolved_sweep_for<Stencil>(setup.collision, coupling.coupling_operator, false)),
+      forced_sweep_(resolved_sweep_for<Stencil>(setup.collision, coupling.coupling_operator, true)),
+      covered_(setup.grid, {coupling.solid.fraction, coupling.solid.weight, setup.rates.relaxation_time}) {
   CollisionLaws::dispatch(setup.collision,
                           [&](auto c) { lattice_.input.rates = decltype(c)::type::rates(setup.rates); });
   CouplingOperators::dispatch(coupling.coupling_operator, [&](auto law) {
@@ -23,7 +23,6 @@ ResolvedFluid::ResolvedFluid(const FluidSetup& setup, const CouplingSetup& coupl
     factors_ = {Law::exchange, Law::kinetic_stress_factor};
   });
   lattice_.shear_velocity = setup.shear_velocity_lu;
-  solid_.relaxation_time = setup.rates.relaxation_time;
 }
 
 void ResolvedFluid::fill(const std::function<CellState(const Cells&)>& state) {
@@ -45,48 +44,54 @@ void ResolvedFluid::fill(const std::function<CellState(const Cells&)>& state) {
 void ResolvedFluid::prepare(Member& member, const std::vector<ResolvedSphere>& spheres) {
   prepare_step(lattice_, boundaries_, member);
   replace_populations(lattice_, boundaries_, member);
-  covered_.map(member, solid_, spheres, lattice_.shear_offset, lattice_.shear_velocity);
+  covered_.place(member, spheres, lattice_.shear_offset, lattice_.shear_velocity);
   if (member.rank() == 0) {
-    run_sums_.resize(covered_.runs().size());
+    by_slot_.resize(covered_.runs().size());
     exchange_.resize(spheres.size());
     shared_.resize(std::size_t(member.size()));
   }
   member.barrier();
-  const Range runs = member.share(covered_.runs().size());
   std::vector<SharedRun>& shared = shared_[std::size_t(member.rank())];
   shared.clear();
-  gather_exchange<Stencil>(lattice_, covered_, factors_, runs.begin, runs.end, run_sums_.data(), shared);
+  for (std::size_t b = 0; b < lattice_.blocks.size(); ++b) {
+    const Range rows = member.share(lattice_.blocks[b].populations.layout().rows());
+    if (rows.begin < rows.end)
+      gather_exchange<Stencil>(lattice_, int(b), covered_, factors_, rows.begin, rows.end, by_slot_.data(), shared);
+  }
   member.barrier();
   const Range mine = member.share(spheres.size());
   for (std::size_t k = mine.begin; k < mine.end; ++k) {
-    ExchangeSums<double> sum;
+    ExchangeSums sum;
     const Range images = covered_.images_of_sphere(k);
     for (std::size_t i = images.begin; i < images.end; ++i)
-      for (std::size_t run = covered_.runs_of_image(i).begin; run < covered_.runs_of_image(i).end; ++run)
-        sum += run_sums_[run];
+      for (std::size_t slot = covered_.slots_of_image(i).begin; slot < covered_.slots_of_image(i).end; ++slot)
+        by_slot_[slot].add_to(sum);
     exchange_[k] = sum;
   }
   if (member.rank() == 0) find_friction();
   member.barrier();
 }
 
-/// Runs come in the same order whatever the number of threads, and so do the sums.
+/// Summed in the order of slots, whatever the division of the work.
 void ResolvedFluid::find_friction() {
-  std::map<std::pair<std::int32_t, std::int32_t>, SharedRun> sums;
-  for (const auto& of_thread : shared_)
-    for (const SharedRun& s : of_thread) {
-      SharedRun& sum = sums.try_emplace({s.first, s.second}, SharedRun{s.first, s.second}).first->second;
-      sum.coefficient += s.coefficient;
-      sum.coefficient_arm += s.coefficient_arm;
-    }
+  std::vector<SharedRun> all;
+  for (const auto& of_thread : shared_) all.insert(all.end(), of_thread.begin(), of_thread.end());
+  std::sort(all.begin(), all.end(), [](const SharedRun& a, const SharedRun& b) {
+    return std::tie(a.first, a.second, a.slot) < std::tie(b.first, b.second, b.slot);
+  });
   friction_.clear();
-  for (const auto& [images, s] : sums) {
-    const SphereImage &first = covered_.images()[std::size_t(s.first)],
-                      &second = covered_.images()[std::size_t(s.second)];
-    const Vec3<double> arm = s.coefficient_arm / s.coefficient;
+  for (auto group = all.begin(); group != all.end();) {
+    SharedRun sum{0, group->first, group->second};
+    for (; group != all.end() && group->first == sum.first && group->second == sum.second; ++group) {
+      sum.coefficient += group->coefficient;
+      sum.coefficient_arm += group->coefficient_arm;
+    }
+    const SphereImage &first = covered_.images()[std::size_t(sum.first)],
+                      &second = covered_.images()[std::size_t(sum.second)];
+    const Vec3<double> arm = sum.coefficient_arm / sum.coefficient;
     friction_.push_back({first.sphere,
                          second.sphere,
-                         s.coefficient,
+                         sum.coefficient,
                          arm,
                          arm + first.centre - second.centre,
                          {second.velocity_jump - first.velocity_jump, 0, 0}});
@@ -94,9 +99,10 @@ void ResolvedFluid::find_friction() {
 }
 
 void ResolvedFluid::sweep(Member& member, const std::vector<ResolvedSphere>& spheres) {
+  const auto kernel = lattice_.input.force_density == Vec3<double>{} ? sweep_ : forced_sweep_;
   for (std::size_t b = 0; b < lattice_.blocks.size(); ++b) {
     const Range rows = member.share(lattice_.blocks[b].populations.layout().rows());
-    sweep_(lattice_, int(b), covered_, spheres, rows.begin, rows.end);
+    kernel(lattice_, int(b), covered_, spheres, rows.begin, rows.end);
   }
   finish_step(lattice_, boundaries_, member);
 }

@@ -45,7 +45,7 @@ class ResolvedFluid {
   void sweep(Member& member, const std::vector<ResolvedSphere>& spheres);
 
   /// After `prepare`: the sums over the cells of sphere `k`.
-  const ExchangeSums<double>& exchange(std::size_t k) const { return exchange_[k]; }
+  const ExchangeSums& exchange(std::size_t k) const { return exchange_[k]; }
   /// After `prepare`: friction of spheres that share cells, one entry per pair of images, lumped at its centroid.
   const std::vector<PointFriction>& friction() const { return friction_; }
 
@@ -57,11 +57,11 @@ class ResolvedFluid {
 
   Lattice<Stencil, double> lattice_;
   Boundaries<Stencil, double> boundaries_;
-  ResolvedSweep<Stencil> sweep_;
-  SolidLaws solid_;
+  ResolvedSweep<Stencil> sweep_, forced_sweep_;
   CoveredRuns covered_;
   ExchangeFactors factors_;
-  std::vector<ExchangeSums<double>> run_sums_, exchange_;
+  std::vector<RunExchange> by_slot_;
+  std::vector<ExchangeSums> exchange_;
   std::vector<std::vector<SharedRun>> shared_;  ///< by thread
   std::vector<PointFriction> friction_;
 };

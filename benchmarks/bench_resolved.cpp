@@ -54,7 +54,7 @@ std::vector<ResolvedSphere> scattered(const Case& c) {
 class Resolved {
  public:
   Resolved(const Case& c, int threads) : team_(threads), fluid_(setup(c.edge), {}), spheres_(scattered(c)) {
-    fluid_.fill([](const Cells&) { return CellState{}; });
+    fluid_.initialise(team_, [](const Cells&) { return CellState{}; });
     const double mass = 4 * pi / 3 * std::pow(c.diameter / 2, 3);
     inertia_.assign(spheres_.size(), {mass, 0.1 * mass * c.diameter * c.diameter});
     step(2);
@@ -81,7 +81,7 @@ class Resolved {
         fluid_.prepare(member, spheres_);
         if (member.rank() == 0) {
           std::vector<SphereLink> links;
-          for (const PointFriction& friction : fluid_.friction()) links.push_back(friction.link());
+          for (const PointFriction& friction : fluid_.friction()) links.push_back(link_of(friction));
           update_.settle(
               spheres_, inertia_, links, [&](std::size_t k) -> const auto& { return fluid_.exchange(k); });
         }

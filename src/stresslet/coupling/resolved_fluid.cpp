@@ -4,41 +4,27 @@
 #include <tuple>
 
 #include "stresslet/coupling/laws.hpp"
-#include "stresslet/lattice/boundary/make_boundaries.hpp"
-#include "stresslet/lattice/cell_state.hpp"
-#include "stresslet/lattice/laws.hpp"
 
 namespace stresslet {
 
+namespace {
+
+FluidSetup with_force(FluidSetup setup) {
+  setup.forcing = Guo::name;
+  return setup;
+}
+
+}  // namespace
+
 ResolvedFluid::ResolvedFluid(const FluidSetup& setup, const CouplingSetup& coupling)
-    : lattice_(setup.grid),
-      boundaries_(make_boundaries<Stencil, double>(setup)),
-      sweep_(resolved_sweep_for<Stencil>(setup.collision, coupling.coupling_operator, false)),
+    : FluidOf(with_force(setup)),
+      resolved_sweep_(resolved_sweep_for<Stencil>(setup.collision, coupling.coupling_operator, false)),
       forced_sweep_(resolved_sweep_for<Stencil>(setup.collision, coupling.coupling_operator, true)),
       covered_(setup.grid, {coupling.solid.fraction, coupling.solid.weight, setup.rates.relaxation_time}) {
-  CollisionLaws::dispatch(setup.collision,
-                          [&](auto c) { lattice_.input.rates = decltype(c)::type::rates(setup.rates); });
   CouplingOperators::dispatch(coupling.coupling_operator, [&](auto law) {
     using Law = typename decltype(law)::type;
     factors_ = {Law::exchange, Law::kinetic_stress_factor};
   });
-  lattice_.shear_velocity = setup.shear_velocity_lu;
-}
-
-void ResolvedFluid::fill(const std::function<CellState(const Cells&)>& state) {
-  const BodyForce<double> force{lattice_.input.force_density, lattice_.input.rates.odd};
-  for (auto& block : lattice_.blocks) {
-    const BlockLayout& layout = block.populations.layout();
-    const Cells& n = layout.size();
-    for (int z = 0; z < n[2]; ++z)
-      for (int y = 0; y < n[1]; ++y)
-        for (int x = 0; x < n[0]; ++x) {
-          const auto f = populations_of<Stencil>(state({block.origin[0] + x, block.origin[1] + y, block.origin[2] + z}),
-                                                 lattice_.input.rates, force);
-          for (int i = 0; i < Stencil::size; ++i) block.populations.slot(i)[layout.index(x, y, z)] = f[std::size_t(i)];
-        }
-  }
-  for (const auto& boundary : boundaries_) boundary->initialise(lattice_);
 }
 
 void ResolvedFluid::prepare(Member& member, const std::vector<ResolvedSphere>& spheres) {
@@ -99,29 +85,12 @@ void ResolvedFluid::find_friction() {
 }
 
 void ResolvedFluid::sweep(Member& member, const std::vector<ResolvedSphere>& spheres) {
-  const auto kernel = lattice_.input.force_density == Vec3<double>{} ? sweep_ : forced_sweep_;
+  const auto kernel = lattice_.input.force_density == Vec3<double>{} ? resolved_sweep_ : forced_sweep_;
   for (std::size_t b = 0; b < lattice_.blocks.size(); ++b) {
     const Range rows = member.share(lattice_.blocks[b].populations.layout().rows());
     kernel(lattice_, int(b), covered_, spheres, rows.begin, rows.end);
   }
   finish_step(lattice_, boundaries_, member);
-}
-
-Moments<double> ResolvedFluid::totals(ThreadTeam& team) {
-  team.run([&](Member& member) { prepare_step(lattice_, boundaries_, member); });
-  Moments<double> sum{};
-  for (const auto& block : lattice_.blocks) {
-    const BlockLayout& layout = block.populations.layout();
-    const Cells& n = layout.size();
-    for (int z = 0; z < n[2]; ++z)
-      for (int y = 0; y < n[1]; ++y)
-        for (int x = 0; x < n[0]; ++x) {
-          const auto m = moments_of(incoming(block.populations, lattice_.arrangement, layout.index(x, y, z)));
-          sum.density_deviation += m.density_deviation;
-          sum.momentum += m.momentum;
-        }
-  }
-  return sum;
 }
 
 }  // namespace stresslet

@@ -52,15 +52,21 @@ class RowSweep {
     Rates rates = rates_;
     collide_cells(f, rates, force_);
     if (cells >= width)
-      store_all(f, [&](int i, const R& value) __attribute__((always_inline)) { value.copy_to(source_[i] + x, stdx::element_aligned); });
+      store_all(
+          f, [&](int i, const R& value)
+                 __attribute__((always_inline)) { value.copy_to(source_[i] + x, stdx::element_aligned); });
     else
-      store_all(f, [&](int i, const R& value) __attribute__((always_inline)) {
-        const typename R::mask_type inside = R([](auto lane) { return T(lane); }) < R(T(cells));
-        stdx::where(inside, value).copy_to(source_[i] + x, stdx::element_aligned);
-      });
+      store_all(
+          f, [&](int i, const R& value) __attribute__((always_inline)) {
+            const typename R::mask_type inside = R([](auto lane) { return T(lane); }) < R(T(cells));
+            stdx::where(inside, value).copy_to(source_[i] + x, stdx::element_aligned);
+          });
   }
   [[gnu::always_inline]] void step(std::ptrdiff_t x, std::ptrdiff_t cells) const {
-    step(x, cells, [](auto& f, auto& rates, const auto& force) __attribute__((always_inline)) { collide<Collision, Forcing>(f, rates, force); });
+    step(
+        x, cells, [](auto& f, auto& rates, const auto& force) __attribute__((always_inline)) {
+          collide<Collision, Forcing>(f, rates, force);
+        });
   }
 
  private:

@@ -40,7 +40,9 @@ struct Mrt {
       mean_ = (stress_.xx + stress_.yy + stress_.zz) * as<R>(1.0 / Stencil::dimensions);
     }
 
-    [[gnu::always_inline]] R rest(const R& g) const { return higher_ * g + as<R>(Stencil::weight[0]) * trace_part<0>(); }
+    [[gnu::always_inline]] R rest(const R& g) const {
+      return higher_ * g + as<R>(Stencil::weight[0]) * trace_part<0>();
+    }
 
     template <int i>
     [[gnu::always_inline]] EvenOdd<R> pair(const EvenOdd<R>& g) const {

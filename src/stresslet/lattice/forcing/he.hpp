@@ -15,7 +15,9 @@ class HeCell {
         acceleration_(as<R>(3) * force.density / m.density()),
         acceleration_velocity_(dot(acceleration_, equilibrium_.velocity())) {}
 
-  [[gnu::always_inline]] R rest_added() const { return -acceleration_velocity_ * (as<R>(Stencil::weight[0]) + equilibrium_.rest()); }
+  [[gnu::always_inline]] R rest_added() const {
+    return -acceleration_velocity_ * (as<R>(Stencil::weight[0]) + equilibrium_.rest());
+  }
   [[gnu::always_inline]] R rest_target() const { return equilibrium_.rest() - as<R>(0.5) * rest_added(); }
 
   template <int i>

@@ -4,10 +4,12 @@
 ///
 /// Cell i is centred on (i + 1/2) dx. Units of the program (d1, 1/shear rate, viscosity 1) give the fluid the density
 /// Re = rho d1^2 gdot / eta and the kinematic viscosity 1/Re, so that a step lasts nu_lu dx^2 Re.
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "stresslet/coupling/resolved_fluid.hpp"
+#include "stresslet/coupling/subgrid/subgrid_links.hpp"
 #include "stresslet/lubrication/fluid_coupling.hpp"
 #include "stresslet/particles/box.hpp"
 #include "stresslet/particles/state.hpp"
@@ -22,6 +24,7 @@ struct ResolvedSetup {
   CollisionInput rates;      ///< relaxation time and magic parameter
   std::string collision = "TRT";
   CouplingSetup coupling;
+  std::optional<SubgridCorrection> correction;  ///< lengths in cells
   bool sheared = true;
 
   double step() const { return kinematic_viscosity_lu(rates.relaxation_time) * cell * cell * reynolds; }

@@ -60,7 +60,6 @@ INSTANTIATE_TEST_SUITE_P(
     Input, FluidRefusal,
     ::testing::Values(
         WrongFluid{"UnknownFidelity", {"fidelity=fluids"}, {"fidelity knows no \"fluids\"", "did you mean \"fluid\"?"}},
-        WrongFluid{"Resolved", {"fidelity=resolved"}, {"\"resolved\" is not available"}},
         WrongFluid{"UnknownKey", {"flow.reynold=3"}, {"unknown key flow.reynold", "did you mean flow.reynolds?"}},
         WrongFluid{"KeyOfASuspension", {"suspension.count=3"}, {"unknown section [suspension]"}},
         WrongFluid{"OneDimension", {"domain.size=[1]"}, {"--set domain.size=[1]: domain.size has 1 entries"}},

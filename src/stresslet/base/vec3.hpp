@@ -84,6 +84,12 @@ Vec3<R> operator*(const SymTensor3<R>& a, const Vec3<R>& b) {
           a.xz * b.x + a.yz * b.y + a.zz * b.z};
 }
 
+/// a : b.
+template <class R>
+R double_contraction(const SymTensor3<R>& a, const SymTensor3<R>& b) {
+  return a.xx * b.xx + a.yy * b.yy + a.zz * b.zz + R(2) * (a.xy * b.xy + a.xz * b.xz + a.yz * b.yz);
+}
+
 /// e e for a unit (or any) vector e.
 template <class R>
 SymTensor3<R> square(const Vec3<R>& e) {

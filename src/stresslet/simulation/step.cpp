@@ -105,7 +105,12 @@ Sample sample(const Suspension& s, ThreadTeam& team) {
   });
   Sample result = measure(
       team, {s.box, s.state, synchronous, s.pairs, s.contacts, s.wall_contacts, s.lubrication, s.walls}, model);
-  if (s.resolved) result.stress.stresslet = s.resolved->stresslet(s.state, s.box, s.fluid_coupling);
+  if (s.resolved) {
+    result.stress.stresslet = s.resolved->stresslet(s.state, s.box, s.fluid_coupling);
+    const double background = s.box.mean_gradient() * s.box.mean_gradient();
+    result.dissipation_drag = s.resolved->dissipation(team, s.state, s.box, s.fluid_coupling) - background -
+                              result.stress.stresslet.xy * s.box.mean_gradient();
+  }
   return result;
 }
 

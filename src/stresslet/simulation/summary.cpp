@@ -41,6 +41,7 @@ std::string summary_json(const Case& settled, const Plan& plan, const Series& se
 
   nlohmann::ordered_json j;
   j["status"] = status;
+  j["fidelity"] = keyword(settled.fidelity);
   j["version"] = provenance("", plan.threads, settled.suspension.seed).version;
   j["solid_fraction"] = plan.solid_fraction;
   j["particles"] = plan.count();
@@ -61,6 +62,15 @@ std::string summary_json(const Case& settled, const Plan& plan, const Series& se
   j["wall_seconds"] = cost.wall_seconds;
   j["particle_steps_per_second"] = cost.wall_seconds > 0 ? cost.particle_steps / cost.wall_seconds : 0.0;
   j["seconds_per_unit_strain"] = strain.back() > 0 ? cost.wall_seconds / strain.back() : 0.0;
+  if (plan.resolved) {
+    const ResolvedSetup& r = *plan.resolved;
+    const double cells = double(r.cells[0]) * r.cells[1] * r.cells[2];
+    j["relaxation_time"] = r.rates.relaxation_time;
+    j["reynolds_number"] = r.reynolds;
+    j["cells_per_diameter"] = 1 / r.cell;
+    j["lattice_updates_per_second"] =
+        cost.wall_seconds > 0 ? cost.particle_steps / double(plan.count()) * cells / cost.wall_seconds : 0.0;
+  }
   return j.dump(2) + "\n";
 }
 

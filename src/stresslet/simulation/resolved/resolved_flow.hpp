@@ -49,6 +49,10 @@ class ResolvedFlow {
   /// exert on the fluid and on each other through shared cells, kinetic part included.
   Stress stresslet(const ParticleState& state, const Box& box, const FluidCoupling& coupling) const;
 
+  /// Dissipation of the fluid in all cells, 2 E:E, and of the friction in shared cells; per volume, in units of
+  /// viscosity x shear rate^2. Reads the whole lattice.
+  double dissipation(ThreadTeam& team, const ParticleState& state, const Box& box, const FluidCoupling& coupling);
+
   Fluid::Totals totals(ThreadTeam& team) { return fluid_.totals(team); }
   std::vector<double> populations(ThreadTeam& team) { return fluid_.populations(team); }
   void restore(ThreadTeam& team, const std::vector<double>& populations, std::int64_t steps, double offset);

@@ -1,0 +1,96 @@
+/// A sheared simple cubic lattice through the whole coupled step: eight spheres that move with the shear, through the
+/// sheared faces, against the exact rheology of the lattice at that strain (recomputed after Adler, Zuzovsky & Brenner,
+/// Int. J. Multiphase Flow 11 (1985) 387).
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "stresslet/base/constants.hpp"
+#include "stresslet/simulation/any_case.hpp"
+#include "stresslet/simulation/plan.hpp"
+#include "stresslet/simulation/resolved/resolved_flow.hpp"
+#include "stresslet/simulation/step.hpp"
+
+namespace stresslet {
+namespace {
+
+constexpr double phi = 0.1;
+const double spacing = std::cbrt(pi / 6 / phi);
+
+/// The plan of a case with the box of eight spheres; its packing is replaced by the lattice, `shift` up along y.
+Suspension sheared_lattice(double shift, const std::vector<std::string>& overrides = {}) {
+  std::vector<std::string> keys{"suspension.solid_fraction=0.1", "suspension.count=8",
+                                "suspension.sizes.law=monodisperse", "resolution.cells_per_diameter=9.79",
+                                "run.strain=1"};
+  keys.insert(keys.end(), overrides.begin(), overrides.end());
+  const Case settled = std::get<Case>(read_any_case_text("fidelity = \"resolved\"\n", "lattice", keys));
+  const Plan plan = make_plan(settled);
+  Suspension s = make_suspension(settled, plan, {});
+  for (std::size_t k = 0; k < 8; ++k) {
+    const auto along = [&](std::size_t bit) { return (0.5 + double(k >> bit & 1)) * spacing; };
+    const double y = std::fmod(along(1) + shift, 2 * spacing);
+    s.state.set_position(k, {along(0), y, along(2)});
+    s.state.set_velocity(k, {s.box.mean_flow(y), 0, 0});
+    s.state.set_angular_velocity(k, {0, 0, -0.5});
+  }
+  return s;
+}
+
+struct Exact {
+  double strain, viscosity, N1, N2;
+};
+constexpr Exact eighth{0.125, 1.24586, -0.02641, 0.01545};
+
+void expect_rheology(Suspension& s, ThreadTeam& team, const Exact& exact) {
+  while (s.strain < exact.strain - 0.5 * s.time.step) step(s, team);
+  const Stress stress = sample(s, team).stress.total();
+  EXPECT_NEAR((1 + stress.xy) / exact.viscosity, 1, 0.003);
+  EXPECT_NEAR(stress.xx - stress.yy, exact.N1, 0.05 * std::abs(exact.N1) + 1e-3);
+  EXPECT_NEAR(stress.yy - stress.zz, exact.N2, 0.05 * std::abs(exact.N2) + 1e-3);
+}
+
+TEST(ResolvedSuspension, ShearedLattice) {
+  Suspension s = sheared_lattice(0);
+  ThreadTeam team(1);
+  start(s, team);
+  expect_rheology(s, team, eighth);
+}
+
+/// The same with layers of spheres cut by the sheared face, and a strain on.
+TEST(LongResolvedSuspension, ShearedLatticeCutByTheFace) {
+  Suspension s = sheared_lattice(0.5 * spacing, {"flow.stokes=0.02"});
+  ThreadTeam team(2);
+  start(s, team);
+  for (const Exact& exact : {eighth, Exact{0.25, 1.25616, -0.03634, 0.02127}, Exact{0.5, 1.26973, 0, 0}})
+    expect_rheology(s, team, exact);
+}
+
+/// Momentum of fluid and particles together stays what it is; spheres close enough for films and shared cells.
+TEST(ResolvedSuspension, ConservesMomentum) {
+  const Case settled = std::get<Case>(read_any_case_text(
+      "fidelity = \"resolved\"\n", "dense",
+      {"suspension.solid_fraction=0.45", "suspension.count=20", "suspension.sizes.law=monodisperse", "run.strain=1",
+       "resolution.cells_per_diameter=8", "flow.boundary=periodic", "flow.reynolds=0.2"}));
+  const Plan plan = make_plan(settled);
+  Suspension s = make_suspension(settled, plan, {});
+  const ResolvedSetup& lattice = *plan.resolved;
+  for (std::size_t k = 0; k < s.state.size(); ++k)
+    s.state.set_velocity(k, {std::sin(double(k)), std::cos(2.0 * double(k)), 0.3});
+  ThreadTeam team(2);
+  const auto momentum = [&] {
+    // Momentum of the lattice in units of the program: rho dx^3 per cell, velocities dx/dt.
+    const double unit = lattice.reynolds * std::pow(lattice.cell, 4) / lattice.step();
+    Vec3<double> sum = unit * s.resolved->totals(team).momentum;
+    for (std::size_t k = 0; k < s.state.size(); ++k) sum += s.state.mass(k) * s.state.velocity(k);
+    return sum;
+  };
+  start(s, team);
+  const Vec3<double> before = momentum();
+  for (int n = 0; n < 50; ++n) step(s, team);
+  const double scale = s.state.mass(0) * double(s.state.size());
+  EXPECT_LT(norm(momentum() - before), 50 * 1e-12 * scale);
+  EXPECT_GT(s.fluid_coupling.friction().size(), 0u) << "no cells are shared";
+}
+
+}  // namespace
+}  // namespace stresslet

@@ -1,5 +1,6 @@
 #include "stresslet/coupling/calibration/calibrate.hpp"
 
+#include <cmath>
 #include <random>
 #include <stdexcept>
 
@@ -97,7 +98,7 @@ SubgridLengths fit_lengths(const std::vector<PairMeasurement>& measurements, con
       double sum = 0;
       for (const PairMeasurement& m : measurements) {
         const auto errors = corrected_errors(m, law, trial, range);
-        for (const std::size_t mode : modes) sum += errors[mode] * errors[mode];
+        for (const std::size_t mode : modes) sum += std::pow(errors[mode], 4);
       }
       return sum;
     });

@@ -8,7 +8,7 @@ namespace stresslet {
 
 const std::vector<CalibratedLengths>& calibrated_lengths() {
   static const std::vector<CalibratedLengths> rows{
-      {"superposition", "viscosity-scaled", "TRT", "soft-cut-off", 0.55, 3, {0.42, 0.145, 0.25}},
+      {"superposition", "viscosity-scaled", "TRT", "soft-cut-off", 0.6, 3, {0.454, 0.134, 0.238}},
   };
   return rows;
 }

@@ -17,7 +17,7 @@ const SubgridCorrection& correction() {
 PairMeasurement measured(double relaxation_time, const PairPlacement& placement, std::vector<PairMotionKind> kinds) {
   PairScheme scheme;
   scheme.relaxation_time = relaxation_time;
-  ThreadTeam team(2);
+  ThreadTeam team(1);
   return measure_pair(scheme, placement, kinds, team);
 }
 

@@ -78,7 +78,7 @@ Load load_of(const ResolvedFluid& fluid, const std::vector<ResolvedSphere>& sphe
   load.wrench = joined({on[0].force, on[0].torque, on[1].force, on[1].torque});
   const Vector12 v =
       joined({spheres[0].velocity, spheres[0].angular_velocity, spheres[1].velocity, spheres[1].angular_velocity});
-  for (const PointFriction& friction : fluid.friction()) load.wrench -= friction.link().resistance * v;
+  for (const PointFriction& friction : fluid.friction()) load.wrench -= link_of(friction).resistance * v;
   return load;
 }
 
@@ -99,7 +99,7 @@ Steady steady_load(const PairScheme& scheme, int edge, const std::vector<Resolve
   coupling.coupling_operator = scheme.coupling_operator;
   coupling.solid = {scheme.solid_fraction, scheme.weight, scheme.relaxation_time};
   ResolvedFluid fluid(setup, coupling);
-  fluid.fill([](const Cells&) { return CellState{}; });
+  fluid.initialise(team, [](const Cells&) { return CellState{}; });
   const double viscosity = kinematic_viscosity_lu(scheme.relaxation_time);
   const int chunk = std::max(20, int(edge * edge / (4 * pi * pi * viscosity) / 8));
   double before = 0;

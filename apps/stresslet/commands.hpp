@@ -13,6 +13,7 @@ void add_run(CLI::App& app, ExitCode& code, const std::string& command_line);
 void add_restart(CLI::App& app, ExitCode& code, const std::string& command_line);
 void add_list(CLI::App& app, ExitCode& code);
 void add_validate(CLI::App& app, ExitCode& code, const std::string& command_line);
+void add_calibrate(CLI::App& app, const std::string& command_line);
 
 /// Version, commit and build.
 std::string version_text();

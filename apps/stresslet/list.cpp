@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "commands.hpp"
+#include "stresslet/coupling/laws.hpp"
 #include "stresslet/dem/laws.hpp"
 #include "stresslet/lattice/boundary/interpolation.hpp"
 #include "stresslet/lattice/boundary/laws.hpp"
@@ -58,6 +59,7 @@ void add_list(CLI::App& app, ExitCode&) {
       print_laws<ForcingLaws>("fluid: body force", "force.law");
       print_laws<BoundaryLaws>("fluid: faces", "boundaries.x_low.law");
       print_laws<ShearInterpolations>("fluid: sheared box", "boundaries.shear_interpolation");
+      print_laws<SubgridLaws>("resolved: sub-grid lubrication", "stresslet calibrate --law");
       print_laws<InitialFields>("fluid: start", "initial.state");
     }
   });

@@ -48,6 +48,7 @@ int main(int argc, char** argv) {
   stresslet::add_restart(app, code, command_line);
   stresslet::add_list(app, code);
   stresslet::add_validate(app, code, command_line);
+  stresslet::add_calibrate(app, command_line);
 
   try {
     app.parse(argc, argv);

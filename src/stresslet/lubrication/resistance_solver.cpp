@@ -74,8 +74,8 @@ double ResistanceSolver::apply_and_project(std::size_t begin, std::size_t end, c
 }
 
 SolverReport ResistanceSolver::solve(Member& member, const ActivePairs& pairs, PairLubrication& lubrication,
-                                     const WallFilms& walls, const FluidCoupling& fluid, double tolerance, int largest_iteration,
-                                     TwistVector& velocity, TwistVector& residual) {
+                                     const WallFilms& walls, const FluidCoupling& fluid, double tolerance,
+                                     int largest_iteration, TwistVector& velocity, TwistVector& residual) {
   const std::size_t n = own_linear_.size();
   const Range mine = member.share(n, sum_chunk);
   const auto advance_all = [&](double length) {
@@ -109,7 +109,8 @@ SolverReport ResistanceSolver::solve(Member& member, const ActivePairs& pairs, P
 
 /// The best uniform shift of all velocities: it makes the total of the remaining forces zero, so that total momentum
 /// is conserved to round-off however early the iteration stops.
-void ResistanceSolver::remove_mean_residual(Member& member, const FluidCoupling& fluid, TwistVector& velocity, const TwistVector& residual) {
+void ResistanceSolver::remove_mean_residual(Member& member, const FluidCoupling& fluid, TwistVector& velocity,
+                                            const TwistVector& residual) {
   const std::size_t n = own_linear_.size();
   const Vec3<double> force = force_sum_(member, n, [&](std::size_t begin, std::size_t end) {
     Vec3<double> sum{};
@@ -118,7 +119,8 @@ void ResistanceSolver::remove_mean_residual(Member& member, const FluidCoupling&
   });
   const double resistance = resistance_sum_(member, n, [&](std::size_t begin, std::size_t end) {
     double sum = 0;
-    for (std::size_t i = begin; i < end; ++i) sum += own_linear_[i] + (fluid.present() ? fluid.resistance[i].linear : 0.0);
+    for (std::size_t i = begin; i < end; ++i)
+      sum += own_linear_[i] + (fluid.present() ? fluid.resistance[i].linear : 0.0);
     return sum;
   });
   const Vec3<double> shift = force / resistance;

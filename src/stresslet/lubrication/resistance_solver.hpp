@@ -2,8 +2,8 @@
 /// Velocities from forces: conjugate gradients on the symmetric positive system
 ///   (D + R) V = b,
 /// D = each particle's own resistance (mass/step, Stokes drag, moments likewise), R = lubrication of pairs and walls in
-/// Rayleigh form and the hold of a resolved fluid, applied without being stored. Preconditioned by the inverse 3x3 diagonal blocks of translation and
-/// rotation (Saad, Iterative Methods for Sparse Linear Systems, alg. 9.1).
+/// Rayleigh form and the hold of a resolved fluid, applied without being stored. Preconditioned by the inverse 3x3
+/// diagonal blocks of translation and rotation (Saad, Iterative Methods for Sparse Linear Systems, alg. 9.1).
 ///
 /// All threads run the iteration together; scalar products are summed in chunks of fixed length, so the result does not
 /// depend on their number. An iteration meets at four barriers; its memory traffic is the pair kernel's, its wrenches
@@ -38,7 +38,8 @@ class ResistanceSolver {
   /// Improves `velocity` until the residual is at most `tolerance`. On entry `residual` = b - (D + R) velocity, on exit
   /// what is left of it. All threads; the same report on all; ends with a barrier.
   SolverReport solve(Member& member, const ActivePairs& pairs, PairLubrication& lubrication, const WallFilms& walls,
-                     const FluidCoupling& fluid, double tolerance, int largest_iteration, TwistVector& velocity, TwistVector& residual);
+                     const FluidCoupling& fluid, double tolerance, int largest_iteration, TwistVector& velocity,
+                     TwistVector& residual);
 
  private:
   struct Products {

@@ -103,13 +103,12 @@ void settle_resolved(const Case& c, Plan& plan) {
     plan.physics.cutoffs.outer = plan.resolved->correction->range.outer * plan.resolved->cell / *smallest;
   plan.time.step = plan.resolved->step();
   if (plan.time.step > plan.bounds.largest)
-    throw InputError(
-        {c.where("flow.reynolds"),
-         fmt::format("a step of the lattice, {:.3g}, is above the largest step {:.3g} that particles bear",
-                     plan.time.step, plan.bounds.largest),
-         fmt::format("that is limited by {}", plan.bounds.binding),
-         fmt::format("lower flow.reynolds to {:.3g}, the relaxation time, or contact.stiffness",
-                     c.reynolds_number() * plan.bounds.largest / plan.time.step)});
+    throw InputError({c.where("flow.reynolds"),
+                      fmt::format("a step of the lattice, {:.3g}, is above the largest step {:.3g} that particles bear",
+                                  plan.time.step, plan.bounds.largest),
+                      fmt::format("that is limited by {}", plan.bounds.binding),
+                      fmt::format("lower flow.reynolds to {:.3g}, the relaxation time, or contact.stiffness",
+                                  c.reynolds_number() * plan.bounds.largest / plan.time.step)});
 }
 
 double volume_of(std::vector<double> radii) {

@@ -56,7 +56,10 @@ std::string time_lines(const Case& c, const Plan& p) {
   text += line("scheme", p.time.scheme);
   text += line("step", fmt::format("{:.3g} / gdot", p.time.step),
                fmt::format("{}; limit {:.3g}",
-                           p.resolved ? "of the lattice" : c.time.step ? "as given" : "derived", b.largest));
+                           p.resolved    ? "of the lattice"
+                           : c.time.step ? "as given"
+                                         : "derived",
+                           b.largest));
   text += line("bound by", b.binding);
   if (b.contact > 0)
     text += line("half period of a contact", fmt::format("{:.3g} / gdot", b.contact),

@@ -76,8 +76,8 @@ Load load_of(const ResolvedFluid& fluid, const std::vector<ResolvedSphere>& sphe
     load.moment -= own + product(on[k].force, spheres[k].centre - middle);
   }
   load.wrench = joined({on[0].force, on[0].torque, on[1].force, on[1].torque});
-  const Vector12 v = joined({spheres[0].velocity, spheres[0].angular_velocity, spheres[1].velocity,
-                             spheres[1].angular_velocity});
+  const Vector12 v =
+      joined({spheres[0].velocity, spheres[0].angular_velocity, spheres[1].velocity, spheres[1].angular_velocity});
   for (const PointFriction& friction : fluid.friction()) load.wrench -= link_of(friction).resistance * v;
   return load;
 }
@@ -171,8 +171,7 @@ PairMeasurement measure_pair(const PairScheme& scheme, const PairPlacement& plac
   for (const PairMotionKind one : kinds)
     for (const PairMotionKind other : kinds) {
       const std::size_t a = std::size_t(one), b = std::size_t(other);
-      result.images(Eigen::Index(a), Eigen::Index(b)) =
-          image_power(moments[a], moments[b], viscosity, placement.edge);
+      result.images(Eigen::Index(a), Eigen::Index(b)) = image_power(moments[a], moments[b], viscosity, placement.edge);
     }
   result.measured -= result.images;
   return result;

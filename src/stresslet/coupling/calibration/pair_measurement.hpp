@@ -41,15 +41,15 @@ inline constexpr std::array<const char*, 4> pair_motion_names{"squeeze", "slide"
 
 struct PairMeasurement {
   PairPlacement placement;
-  double viscosity = 0;                          ///< of the lattice
-  Eigen::Matrix<double, 12, 4> motion;           ///< velocities (U1, w1, U2, w2) of each kind, for law corrections
-  Eigen::Matrix4d measured, exact;               ///< P, images taken off; only rows and columns of `kinds` are set
-  Eigen::Matrix4d images;                        ///< what was taken off
-  std::array<int, 4> steps{};                    ///< until steady
+  double viscosity = 0;                 ///< of the lattice
+  Eigen::Matrix<double, 12, 4> motion;  ///< velocities (U1, w1, U2, w2) of each kind, for law corrections
+  Eigen::Matrix4d measured, exact;      ///< P, images taken off; only rows and columns of `kinds` are set
+  Eigen::Matrix4d images;               ///< what was taken off
+  std::array<int, 4> steps{};           ///< until steady
 };
 
 /// `tolerance`: relative change of P_aa over an eighth of the time L^2/(4 pi^2 nu) at which the run ends.
 PairMeasurement measure_pair(const PairScheme& scheme, const PairPlacement& placement,
-                             const std::vector<PairMotionKind>& kinds, ThreadTeam& team, double tolerance = 2e-4);
+                             const std::vector<PairMotionKind>& kinds, ThreadTeam& team, double tolerance = 1e-4);
 
 }  // namespace stresslet

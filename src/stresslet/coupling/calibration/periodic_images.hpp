@@ -30,8 +30,8 @@ inline double image_power(const Eigen::Matrix3d& d, const Eigen::Matrix3d& other
   const double contraction = d.cwiseProduct(other).sum();
   const double exchanged = d.cwiseProduct(other.transpose()).sum();
   const double diagonal = d.diagonal().dot(other.diagonal());
-  const double fourth = 8 * (c1 - 0.6 * c2) * (contraction + exchanged + d.trace() * other.trace()) +
-                        24 * c2 * diagonal;
+  const double fourth =
+      8 * (c1 - 0.6 * c2) * (contraction + exchanged + d.trace() * other.trace()) + 24 * c2 * diagonal;
   return (40 * c1 * contraction - fourth) / (8 * pi * dynamic_viscosity);
 }
 

@@ -37,8 +37,7 @@ Matrix12 pair_resistance_matrix(const PairResistance<double>& k, const Vec3<doub
 }
 
 Matrix6 wall_resistance_matrix(const PairResistance<double>& k, const Vec3<double>& e) {
-  const Eigen::Matrix3d turn = cross_matrix(e), along = projector(e),
-                        across = Eigen::Matrix3d::Identity() - along;
+  const Eigen::Matrix3d turn = cross_matrix(e), along = projector(e), across = Eigen::Matrix3d::Identity() - along;
   Matrix6 r;
   r << k.X * along + k.Y * across, -k.B * turn, k.B * turn, k.C * across;
   return r;

@@ -58,9 +58,8 @@ PairResistance<R> film_correction(const R& gap, const R& unit_logarithm, const R
 template <class Law, class R>
 PairResistance<R> subgrid_resistance(const R& a1, const R& a2, const R& gap, const SubgridLengths& lengths,
                                      const SubgridRange& range) {
-  return film_correction<Law>(gap, R(0.5) * (a1 + a2) / R(std::numbers::e),
-                              R(range.inner) * effective_diameter(a1, a2), R(range.outer), lengths,
-                              [&](const R& h) { return Complete::resistance(a1, a2, h); });
+  return film_correction<Law>(gap, R(0.5) * (a1 + a2) / R(std::numbers::e), R(range.inner) * effective_diameter(a1, a2),
+                              R(range.outer), lengths, [&](const R& h) { return Complete::resistance(a1, a2, h); });
 }
 
 template <class Law, class R>

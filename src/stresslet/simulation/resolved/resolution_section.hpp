@@ -15,7 +15,9 @@ enum class ResolutionPreset { standard, fast, thesis };
 template <>
 struct Keywords<ResolutionPreset> {
   static constexpr std::array<std::pair<std::string_view, ResolutionPreset>, 3> names{
-      {{"standard", ResolutionPreset::standard}, {"fast", ResolutionPreset::fast}, {"thesis", ResolutionPreset::thesis}}};
+      {{"standard", ResolutionPreset::standard},
+       {"fast", ResolutionPreset::fast},
+       {"thesis", ResolutionPreset::thesis}}};
 };
 
 inline constexpr std::string_view no_correction = "none";
@@ -55,8 +57,8 @@ struct ResolutionInput {
           "Weight of the solid in a cell");
     v.key("correction", correction, otherwise("follows from `preset`"), one_of(correction_names()), "",
           "What the lattice does not resolve of the films between particles");
-    v.key("correction_lengths", correction_lengths, otherwise("those calibrated for the scheme"), between(0, 3), "cells",
-          "Lengths of the correction: normal, sliding, opposite rotation");
+    v.key("correction_lengths", correction_lengths, otherwise("those calibrated for the scheme"), between(0, 3),
+          "cells", "Lengths of the correction: normal, sliding, opposite rotation");
     v.key("largest_mach", largest_mach, defaulted, above_up_to(0, 0.3), "1",
           "Largest Mach number of the mean flow that is accepted");
   }

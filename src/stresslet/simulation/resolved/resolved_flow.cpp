@@ -60,8 +60,7 @@ void ResolvedFlow::prepare(Member& member, const ParticleState& state, const Box
     coupling.resistance[i] = {rate * s.mass, rate * length * s.first,
                               rate * length * length * (trace(s.second) * identity3<double>() - s.second)};
     coupling.push[i] = {rate * velocity * s.momentum,
-                        rate * velocity * length *
-                            Vec3<double>{m[2].y - m[1].z, m[0].z - m[2].x, m[1].x - m[0].y}};
+                        rate * velocity * length * Vec3<double>{m[2].y - m[1].z, m[0].z - m[2].x, m[1].x - m[0].y}};
   }
   if (member.rank() == 0) {
     std::vector<PointFriction> friction = fluid_.friction();

@@ -18,10 +18,10 @@
 namespace stresslet {
 
 struct ResolvedSetup {
-  Cells cells{};             ///< along the box; cells are cubes
-  double cell = 0;           ///< their edge, d1
-  double reynolds = 0;       ///< density of the fluid in units of the program
-  CollisionInput rates;      ///< relaxation time and magic parameter
+  Cells cells{};         ///< along the box; cells are cubes
+  double cell = 0;       ///< their edge, d1
+  double reynolds = 0;   ///< density of the fluid in units of the program
+  CollisionInput rates;  ///< relaxation time and magic parameter
   std::string collision = "TRT";
   CouplingSetup coupling;
   std::optional<SubgridCorrection> correction;  ///< lengths in cells

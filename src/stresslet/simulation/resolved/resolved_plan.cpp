@@ -42,8 +42,8 @@ void check_flow(const Case& c, const ResolvedSetup& s) {
   if (s.mach() <= r.largest_mach) return;
   const double factor = r.largest_mach / s.mach();
   refuse(c.where(c.resolution ? "resolution.relaxation_time" : "flow.reynolds"),
-         fmt::format("the Mach number of the mean flow would be {:.3g}, above the largest allowed one, {:.3g}", s.mach(),
-                     r.largest_mach),
+         fmt::format("the Mach number of the mean flow would be {:.3g}, above the largest allowed one, {:.3g}",
+                     s.mach(), r.largest_mach),
          fmt::format("Re = {:.4g}, relaxation time {:.4g} and {:.3g} cells per diameter fix it; the fluid would be "
                      "compressed",
                      s.reynolds, s.rates.relaxation_time, 1 / s.cell),
@@ -67,8 +67,9 @@ ResolvedSetup resolved_setup(const Case& c, const Box& box, double smallest_radi
   s.cell = box.length.x / s.cells[0];
   for (const auto& [length, cells] : {std::pair{box.length.y, s.cells[1]}, std::pair{box.length.z, s.cells[2]}})
     if (std::abs(length - cells * s.cell) > 1e-6 * length)
-      refuse(c.where("suspension.file"), fmt::format("a box of {:.6g} x {:.6g} x {:.6g} is no whole number of cubic cells",
-                                                     box.length.x, box.length.y, box.length.z),
+      refuse(c.where("suspension.file"),
+             fmt::format("a box of {:.6g} x {:.6g} x {:.6g} is no whole number of cubic cells", box.length.x,
+                         box.length.y, box.length.z),
              fmt::format("with {} cells along x, the cells have an edge of {:.6g} d1", s.cells[0], s.cell),
              "choose another resolution.cells_per_diameter, or another box");
   s.reynolds = c.reynolds_number();
@@ -96,9 +97,7 @@ ResolvedSetup resolved_setup(const Case& c, const Box& box, double smallest_radi
   return s;
 }
 
-double resolved_bytes(const ResolvedSetup& s) {
-  return 160.0 * (s.cells[0] + 2) * (s.cells[1] + 2) * (s.cells[2] + 2);
-}
+double resolved_bytes(const ResolvedSetup& s) { return 160.0 * (s.cells[0] + 2) * (s.cells[1] + 2) * (s.cells[2] + 2); }
 
 std::string resolved_lines(const Case& c, const ResolvedSetup& s) {
   const ResolutionInput& r = *c.resolution;
@@ -112,11 +111,11 @@ std::string resolved_lines(const Case& c, const ResolvedSetup& s) {
   text += line("Mach number", fmt::format("{:.3g}", s.mach()), "of the mean flow at the faces");
   text += line("solid", s.coupling.coupling_operator,
                fmt::format("{}, weight {}", s.coupling.solid.fraction, s.coupling.solid.weight));
-  text += s.correction ? line("correction", s.correction->law,
-                              fmt::format("normal {:.3g}, sliding {:.3g}, spin {:.3g} cells",
-                                          s.correction->lengths.normal, s.correction->lengths.sliding,
-                                          s.correction->lengths.spin))
-                       : line("correction", "none");
+  text += s.correction
+              ? line("correction", s.correction->law,
+                     fmt::format("normal {:.3g}, sliding {:.3g}, spin {:.3g} cells", s.correction->lengths.normal,
+                                 s.correction->lengths.sliding, s.correction->lengths.spin))
+              : line("correction", "none");
   return text;
 }
 
@@ -124,14 +123,16 @@ std::vector<std::string> resolved_warnings(const Case& c, const ResolvedSetup& s
   std::vector<std::string> found;
   const double across = 2 * smallest_radius / s.cell, density_ratio = c.stokes_number() / s.reynolds;
   if (across < advised_cells_across)
-    found.push_back(fmt::format("the smallest particle is {:.2g} cells across: expect errors of 10 % and more", across));
+    found.push_back(
+        fmt::format("the smallest particle is {:.2g} cells across: expect errors of 10 % and more", across));
   else if (across < 8)
-    found.push_back(fmt::format("the smallest particle is {:.2g} cells across: drag errs by 1.5 % at 8, 3 % at 6", across));
+    found.push_back(
+        fmt::format("the smallest particle is {:.2g} cells across: drag errs by 1.5 % at 8, 3 % at 6", across));
   if (density_ratio < 0.1 || density_ratio > 100)
     found.push_back(fmt::format("density ratio {:.3g} lies outside the verified range, 0.1 to 100", density_ratio));
   if (s.rates.relaxation_time < 0.55 || s.rates.relaxation_time > 2)
-    found.push_back(fmt::format("relaxation time {:.3g} lies outside the verified range, 0.55 to 2",
-                                s.rates.relaxation_time));
+    found.push_back(
+        fmt::format("relaxation time {:.3g} lies outside the verified range, 0.55 to 2", s.rates.relaxation_time));
   if (s.rates.relaxation_time > 1.5 && s.reynolds > 0.02)
     found.push_back("relaxation time above 1.5 at Re > 0.02: compressed fluid reads the viscosity some per cent low");
   if (!s.correction) found.push_back("films below one cell are not corrected: the viscosity falls short");

@@ -1,0 +1,205 @@
+#include "stresslet/coupling/calibration/calibrate.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "commands.hpp"
+#include "stresslet/coupling/laws.hpp"
+#include "stresslet/io/provenance.hpp"
+#include "stresslet/lattice/laws.hpp"
+
+namespace stresslet {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Arguments {
+  PairScheme scheme;
+  CalibrationPlan plan;
+  std::string law = "soft-cut-off", output = "calibration.json", command_line;
+  int threads = 2;
+  bool quick = false, quiet = false;
+};
+
+struct Spread {
+  double sum_of_squares = 0, lowest = 0, highest = 0;
+  int count = 0;
+  void add(double error) {
+    sum_of_squares += error * error;
+    lowest = std::min(lowest, error);
+    highest = std::max(highest, error);
+    ++count;
+  }
+  double rms() const { return std::sqrt(sum_of_squares / count); }
+};
+
+std::vector<PairMeasurement> measure_all(const Arguments& a, const std::vector<CalibrationPoint>& points) {
+  using Clock = std::chrono::steady_clock;
+  ThreadTeam team(a.threads);
+  const auto start = Clock::now();
+  std::vector<PairMeasurement> measurements;
+  for (const CalibrationPoint& point : points) {
+    measurements.push_back(measure_pair(
+        a.scheme, point.placement,
+        {PairMotionKind::squeeze, PairMotionKind::slide, PairMotionKind::roll, PairMotionKind::spin}, team));
+    if (a.quiet) continue;
+    const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    const double left = seconds / double(measurements.size()) * double(points.size() - measurements.size());
+    fmt::print(stderr, "\r{} of {} pairs measured, about {:.0f} s left   ", measurements.size(), points.size(), left);
+  }
+  if (!a.quiet) fmt::print(stderr, "\n");
+  return measurements;
+}
+
+Json lengths_json(const SubgridLengths& l) { return {{"normal", l.normal}, {"sliding", l.sliding}, {"spin", l.spin}}; }
+
+Json vector_json(const Vec3<double>& v) { return {v.x, v.y, v.z}; }
+
+void calibrate(const Arguments& a) {
+  const std::vector<CalibrationPoint> points = calibration_points(a.plan);
+  const std::vector<PairMeasurement> measurements = measure_all(a, points);
+  const SubgridRange range;
+  const SubgridLengths lengths = fit_lengths(measurements, a.law, range);
+
+  fmt::print("{} {} {} tau {:g}, {}: lengths in cells: normal {:.3f}, sliding {:.3f}, spin {:.3f}\n",
+             a.scheme.coupling_operator, a.scheme.weight, a.scheme.collision, a.scheme.relaxation_time, a.law,
+             lengths.normal, lengths.sliding, lengths.spin);
+  fmt::print("error in per cent, without -> with the correction\n{:<24}{:>6}", "direction", "gap");
+  for (const char* name : pair_motion_names) fmt::print("{:>18}", name);
+  fmt::print("\n");
+  std::array<Spread, 4> spread;
+  Json rows = Json::array();
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const auto before = corrected_errors(measurements[k], a.law, {}, range);
+    const auto after = corrected_errors(measurements[k], a.law, lengths, range);
+    const PairPlacement& p = points[k].placement;
+    fmt::print("{:<24}{:>6.3g}", points[k].direction, p.gap);
+    Json row{{"direction", points[k].direction},
+             {"gap", p.gap},
+             {"e", vector_json(p.direction)},
+             {"across", vector_json(p.across)},
+             {"offset", vector_json(p.offset)}};
+    for (std::size_t mode = 0; mode < 4; ++mode) {
+      fmt::print("{:>9.1f} ->{:>6.1f}", 100 * before[mode], 100 * after[mode]);
+      spread[mode].add(after[mode]);
+      const Eigen::Index i = Eigen::Index(mode);
+      row[pair_motion_names[mode]] = {{"measured", measurements[k].measured(i, i) / measurements[k].viscosity},
+                                      {"exact", measurements[k].exact(i, i) / measurements[k].viscosity},
+                                      {"error", after[mode]}};
+    }
+    fmt::print("\n");
+    rows.push_back(std::move(row));
+  }
+  fmt::print("{:<30}", "root mean square");
+  for (const Spread& s : spread) fmt::print("{:>18.1f}", 100 * s.rms());
+  fmt::print("\n{:<30}", "lowest, highest");
+  for (const Spread& s : spread) fmt::print("{:>18}", fmt::format("{:.1f} {:+.1f}", 100 * s.lowest, 100 * s.highest));
+  fmt::print("\n");
+
+  const Provenance p = provenance(a.command_line, a.threads, 0);
+  Json residual;
+  for (std::size_t mode = 0; mode < 4; ++mode)
+    residual[pair_motion_names[mode]] = {
+        {"rms", spread[mode].rms()}, {"lowest", spread[mode].lowest}, {"highest", spread[mode].highest}};
+  const Json document{{"provenance",
+                       {{"version", p.version},
+                        {"commit", p.commit},
+                        {"compiler", p.compiler},
+                        {"date", p.date},
+                        {"command_line", p.command_line}}},
+                      {"scheme",
+                       {{"operator", a.scheme.coupling_operator},
+                        {"weight", a.scheme.weight},
+                        {"solid_fraction", a.scheme.solid_fraction},
+                        {"collision", a.scheme.collision},
+                        {"relaxation_time", a.scheme.relaxation_time},
+                        {"magic_parameter", a.scheme.magic_parameter}}},
+                      {"plan",
+                       {{"cells_across", a.plan.cells_across},
+                        {"radius_ratio", a.plan.radius_ratio},
+                        {"edge", a.plan.edge},
+                        {"gaps", a.plan.gaps},
+                        {"random_directions", a.plan.random_directions}}},
+                      {"law", a.law},
+                      {"lengths", lengths_json(lengths)},
+                      {"residual_errors", residual},
+                      {"pairs", rows}};
+  std::ofstream file(a.output);
+  file << document.dump(1) << "\n";
+  if (!file)
+    throw Error(ExitCode::internal, {a.output, "the calibration could not be written",
+                                     "the file cannot be opened, or "
+                                     "the disk is full",
+                                     "choose another place with --output"});
+  fmt::print("written: {}\n", a.output);
+}
+
+}  // namespace
+
+void add_calibrate(CLI::App& app, const std::string& command_line) {
+  auto a = std::make_shared<Arguments>();
+  a->command_line = command_line;
+  CLI::App* command = app.add_subcommand(
+      "calibrate",
+      "Find the lengths of the sub-grid lubrication correction for a coupling scheme, against exact pairs");
+  PairScheme& s = a->scheme;
+  command->add_option("--operator", s.coupling_operator, "Coupling operator")
+      ->check(CLI::IsMember(CouplingOperators::names()))
+      ->capture_default_str();
+  command->add_option("--weight", s.weight, "Solid weight")
+      ->check(CLI::IsMember(SolidWeights::names()))
+      ->capture_default_str();
+  command->add_option("--solid-fraction", s.solid_fraction, "Solid fraction")
+      ->check(CLI::IsMember(SolidFractionLaws::names()))
+      ->capture_default_str();
+  command->add_option("--collision", s.collision, "Collision")
+      ->check(CLI::IsMember(CollisionLaws::names()))
+      ->capture_default_str();
+  command->add_option("--tau", s.relaxation_time, "Relaxation time")
+      ->check(CLI::Range(0.51, 10.0))
+      ->capture_default_str();
+  command->add_option("--magic", s.magic_parameter, "Magic parameter of TRT")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command->add_option("--law", a->law, "Sub-grid law")
+      ->check(CLI::IsMember(SubgridLaws::names()))
+      ->capture_default_str();
+  command->add_option("--cells-across", a->plan.cells_across, "Cells across the smaller sphere")
+      ->check(CLI::Range(4.0, 60.0))
+      ->capture_default_str();
+  command->add_option("--radius-ratio", a->plan.radius_ratio, "Radius of the larger sphere over that of the smaller")
+      ->check(CLI::Range(1.0, 4.0))
+      ->capture_default_str();
+  command->add_option("--gaps", a->plan.gaps, "Gaps in cells")->check(CLI::Range(0.01, 10.0));
+  command->add_option("--random", a->plan.random_directions, "Random directions and places per gap")
+      ->check(CLI::Range(0, 100))
+      ->capture_default_str();
+  CLI::Option* edge = command
+                          ->add_option("--edge", a->plan.edge,
+                                       "Edge of the periodic cube in cells; default: five "
+                                       "times the mean diameter")
+                          ->check(CLI::Range(16, 400));
+  command->add_option("--threads", a->threads, "Threads")->check(CLI::Range(1, 1024))->capture_default_str();
+  command->add_flag("--quick", a->quick, "Three gaps and no random directions");
+  command->add_flag("--quiet", a->quiet, "No progress line");
+  command->add_option("--output", a->output, "JSON file with lengths, residual errors and all measured pairs")
+      ->capture_default_str();
+  command->callback([a, edge] {
+    if (edge->count() == 0) a->plan.edge = int(std::ceil(5 * a->plan.cells_across * 0.5 * (1 + a->plan.radius_ratio)));
+    if (a->quick) {
+      a->plan.gaps = {0.05, 0.3, 1};
+      a->plan.random_directions = 0;
+    }
+    calibrate(*a);
+  });
+}
+
+}  // namespace stresslet

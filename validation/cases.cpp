@@ -22,6 +22,11 @@ void kelvin_mode(Trial&);
 void sheared_profile(Trial&);
 void lid_driven_cavity(Trial&);
 void force_schemes(Trial&);
+void free_sphere(Trial&);
+void box_height(Trial&);
+void stress_balance(Trial&);
+void cubic_array(Trial&);
+void sheared_lattice(Trial&);
 
 namespace {
 
@@ -38,6 +43,11 @@ constexpr Case list[] = {
     {"L10", "L10-sheared-profile", "relaxation to the linear profile under the sheared boundary", sheared_profile},
     {"L12", "L12-lid-driven-cavity", "lid-driven cavity at Reynolds number 100", lid_driven_cavity},
     {"L13", "L13-force-schemes", "uniform force: what each forcing law leaves", force_schemes},
+    {"A1", "A1-free-sphere", "free sphere in shear, schemes of published work", free_sphere},
+    {"A2", "A2-box-height", "walls near a sphere in shear", box_height},
+    {"stress-balance", "stress-balance", "what walls feel of a sphere, every operator and weight", stress_balance},
+    {"cubic-array", "cubic-array", "drag and viscosity of cubic arrays of spheres", cubic_array},
+    {"sheared-lattice", "sheared-lattice", "cubic lattice of free spheres in shear", sheared_lattice},
 };
 
 }  // namespace

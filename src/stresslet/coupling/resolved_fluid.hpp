@@ -45,6 +45,9 @@ class ResolvedFluid {
   /// After `prepare`: the sums over the cells of sphere `k`.
   const ExchangeSums<double>& exchange(std::size_t k) const { return exchange_[k]; }
 
+  /// After `prepare`: which cells the spheres cover.
+  const CoveredRuns& covered() const { return covered_; }
+
   /// Mass over the rest density, and momentum of the incoming populations, summed over all cells.
   Moments<double> totals(ThreadTeam& team);
 

@@ -41,17 +41,16 @@ Rheology sheared_lattice(double strain, const Vec3<double>& centre) {
   std::vector<ResolvedSphere> spheres{
       {centre, radius, {shear_rate * (centre.y - middle), 0, 0}, {0, 0, -shear_rate / 2}}};
   ThreadTeam team(1);
+  SphereUpdate update;
   HydrodynamicLoad load;
   team.run([&](Member& member) {
     for (int n = 0; n < 3000; ++n) {
       // The sphere stays where it is, and so do the images: only the flow settles.
       fluid.lattice().shear_offset = fluid.lattice().departure_offset = strain * edge;
       fluid.prepare(member, spheres);
-      const auto now = settled_velocities(fluid.exchange(0), mass, inertia,
-                                          {spheres[0].velocity, spheres[0].angular_velocity}, {}, {});
-      spheres[0].velocity = now.velocity;
-      spheres[0].angular_velocity = now.angular_velocity;
-      load = load_on_sphere(fluid.exchange(0), now.velocity, now.angular_velocity);
+      update.settle(
+          spheres, {{mass, inertia}}, {}, [&](std::size_t k) -> const auto& { return fluid.exchange(k); });
+      load = load_on_sphere(fluid.exchange(0), spheres[0].velocity, spheres[0].angular_velocity);
       fluid.sweep(member, spheres);
     }
   });

@@ -18,6 +18,7 @@ struct ExchangeSums {
   SymTensor3<R> second{};                 ///< sum m r r
   Vec3<R> momentum{};                     ///< sum m u*
   std::array<Vec3<R>, 3> momentum_arm{};  ///< [a]: sum m u*_a r
+  SymTensor3<R> kinetic{};                ///< sum of the kinetic stress (operators/kinetic_stress.hpp)
 
   void add(const R& m, const Vec3<R>& r, const Vec3<R>& u) {
     mass += m;
@@ -36,6 +37,7 @@ struct ExchangeSums {
     second += b.second;
     momentum += b.momentum;
     for (std::size_t a = 0; a < 3; ++a) momentum_arm[a] += b.momentum_arm[a];
+    kinetic += b.kinetic;
     return *this;
   }
 };
@@ -44,6 +46,9 @@ struct ExchangeSums {
 struct HydrodynamicLoad {
   Vec3<double> force{}, torque{};
   SymTensor3<double> stresslet{};  ///< symmetric first moment sum sym(F r), usual sum; trace included
+  SymTensor3<double> kinetic{};    ///< what the kinetic stress of its cells adds
+
+  SymTensor3<double> complete_stresslet() const { return stresslet + kinetic; }
 };
 
 inline HydrodynamicLoad load_on_sphere(const ExchangeSums<double>& s, const Vec3<double>& velocity,
@@ -60,6 +65,7 @@ inline HydrodynamicLoad load_on_sphere(const ExchangeSums<double>& s, const Vec3
   load.torque = {row_y.z - row_z.y, row_z.x - row_x.z, row_x.y - row_y.x};
   load.stresslet = {
       -row_x.x, -row_y.y, -row_z.z, -0.5 * (row_x.y + row_y.x), -0.5 * (row_x.z + row_z.x), -0.5 * (row_y.z + row_z.y)};
+  load.kinetic = s.kinetic;
   return load;
 }
 

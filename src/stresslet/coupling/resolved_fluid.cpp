@@ -1,5 +1,9 @@
 #include "stresslet/coupling/resolved_fluid.hpp"
 
+#include <algorithm>
+#include <map>
+
+#include "stresslet/coupling/laws.hpp"
 #include "stresslet/lattice/boundary/make_boundaries.hpp"
 #include "stresslet/lattice/cell_state.hpp"
 #include "stresslet/lattice/laws.hpp"
@@ -14,6 +18,10 @@ ResolvedFluid::ResolvedFluid(const FluidSetup& setup, const CouplingSetup& coupl
       covered_(setup.grid) {
   CollisionLaws::dispatch(setup.collision,
                           [&](auto c) { lattice_.input.rates = decltype(c)::type::rates(setup.rates); });
+  CouplingOperators::dispatch(coupling.coupling_operator, [&](auto law) {
+    using Law = typename decltype(law)::type;
+    factors_ = {Law::exchange, Law::kinetic_stress_factor};
+  });
   lattice_.shear_velocity = setup.shear_velocity_lu;
   solid_.relaxation_time = setup.rates.relaxation_time;
 }
@@ -41,10 +49,13 @@ void ResolvedFluid::prepare(Member& member, const std::vector<ResolvedSphere>& s
   if (member.rank() == 0) {
     run_sums_.resize(covered_.runs().size());
     exchange_.resize(spheres.size());
+    shared_.resize(std::size_t(member.size()));
   }
   member.barrier();
   const Range runs = member.share(covered_.runs().size());
-  gather_exchange<Stencil>(lattice_, covered_, runs.begin, runs.end, run_sums_.data());
+  std::vector<SharedRun>& shared = shared_[std::size_t(member.rank())];
+  shared.clear();
+  gather_exchange<Stencil>(lattice_, covered_, factors_, runs.begin, runs.end, run_sums_.data(), shared);
   member.barrier();
   const Range mine = member.share(spheres.size());
   for (std::size_t k = mine.begin; k < mine.end; ++k) {
@@ -55,7 +66,31 @@ void ResolvedFluid::prepare(Member& member, const std::vector<ResolvedSphere>& s
         sum += run_sums_[run];
     exchange_[k] = sum;
   }
+  if (member.rank() == 0) find_friction();
   member.barrier();
+}
+
+/// Runs come in the same order whatever the number of threads, and so do the sums.
+void ResolvedFluid::find_friction() {
+  std::map<std::pair<std::int32_t, std::int32_t>, SharedRun> sums;
+  for (const auto& of_thread : shared_)
+    for (const SharedRun& s : of_thread) {
+      SharedRun& sum = sums.try_emplace({s.first, s.second}, SharedRun{s.first, s.second}).first->second;
+      sum.coefficient += s.coefficient;
+      sum.coefficient_arm += s.coefficient_arm;
+    }
+  friction_.clear();
+  for (const auto& [images, s] : sums) {
+    const SphereImage &first = covered_.images()[std::size_t(s.first)],
+                      &second = covered_.images()[std::size_t(s.second)];
+    const Vec3<double> arm = s.coefficient_arm / s.coefficient;
+    friction_.push_back({first.sphere,
+                         second.sphere,
+                         s.coefficient,
+                         arm,
+                         arm + first.centre - second.centre,
+                         {second.velocity_jump - first.velocity_jump, 0, 0}});
+  }
 }
 
 void ResolvedFluid::sweep(Member& member, const std::vector<ResolvedSphere>& spheres) {

@@ -6,8 +6,9 @@
 ///   (the caller settles the spheres' velocities)
 ///   sweep        collide and stream, with the solid at these velocities
 ///
-/// The momentum that the spheres take in a step is `load(k, ...)` with the velocities of the sweep, to round-off the
-/// opposite of what the fluid is given. Not yet: the friction between spheres that share a cell (shared_cells.hpp).
+/// The momentum that the spheres take from the fluid in a step is load_on_sphere of `exchange(k)` with the velocities
+/// of the sweep, to round-off the opposite of what the fluid is given; spheres that share cells besides rub against
+/// each other (`friction`).
 #include <memory>
 #include <string>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "stresslet/coupling/covered_runs.hpp"
 #include "stresslet/coupling/exchange_sums.hpp"
 #include "stresslet/coupling/resolved_sweep.hpp"
+#include "stresslet/coupling/sphere_links.hpp"
 #include "stresslet/lattice/fluid.hpp"
 #include "stresslet/lattice/stencil/d3q19.hpp"
 #include "stresslet/lattice/step.hpp"
@@ -44,6 +46,8 @@ class ResolvedFluid {
 
   /// After `prepare`: the sums over the cells of sphere `k`.
   const ExchangeSums<double>& exchange(std::size_t k) const { return exchange_[k]; }
+  /// After `prepare`: friction of spheres that share cells, one entry per pair of images, lumped at its centroid.
+  const std::vector<PointFriction>& friction() const { return friction_; }
 
   /// After `prepare`: which cells the spheres cover.
   const CoveredRuns& covered() const { return covered_; }
@@ -52,12 +56,17 @@ class ResolvedFluid {
   Moments<double> totals(ThreadTeam& team);
 
  private:
+  void find_friction();
+
   Lattice<Stencil, double> lattice_;
   Boundaries<Stencil, double> boundaries_;
   ResolvedSweep<Stencil> sweep_;
   SolidLaws solid_;
   CoveredRuns covered_;
+  ExchangeFactors factors_;
   std::vector<ExchangeSums<double>> run_sums_, exchange_;
+  std::vector<std::vector<SharedRun>> shared_;  ///< by thread
+  std::vector<PointFriction> friction_;
 };
 
 }  // namespace stresslet

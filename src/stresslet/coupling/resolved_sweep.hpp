@@ -12,10 +12,24 @@
 
 namespace stresslet {
 
-/// Sums of every run [first, last): `sums[k]` of run k.
+/// What the sums need to know of the coupling operator.
+struct ExchangeFactors {
+  double exchange = 1;        ///< momentum given to the fluid, over B rho (us - u*)
+  double kinetic_stress = 0;  ///< operators/kinetic_stress.hpp
+};
+
+/// Friction between the images `first` < `second` in the cells of one run of the first (shared_cells.hpp).
+struct SharedRun {
+  std::int32_t first, second;
+  double coefficient = 0;          ///< sum c
+  Vec3<double> coefficient_arm{};  ///< sum c r, r from the centre of the first
+};
+
+/// Sums of every run [first, last): `sums[k]` of run k; `shared` takes, in the order of runs, those with friction.
 template <class Stencil>
-void gather_exchange(const Lattice<Stencil, double>& lattice, const CoveredRuns& covered, std::size_t first,
-                     std::size_t last, ExchangeSums<double>* sums);
+void gather_exchange(const Lattice<Stencil, double>& lattice, const CoveredRuns& covered,
+                     const ExchangeFactors& factors, std::size_t first, std::size_t last, ExchangeSums<double>* sums,
+                     std::vector<SharedRun>& shared);
 
 /// Steps the rows [first, last) of block `block`; `spheres` hold the velocities at which the solid moves.
 template <class Stencil>

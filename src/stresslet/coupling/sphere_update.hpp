@@ -1,45 +1,61 @@
 #pragma once
-/// New velocities of one sphere from the momentum that it exchanges with the fluid in this very step, semi-implicit:
+/// New velocities of the spheres from the momentum that they exchange with the fluid in this very step,
+/// semi-implicit. Of one sphere:
 ///   (M + m) U + w x s1                       = M U0 + sum m u*       + force
 ///   s1 x U + (I + sum m (r.r - r r)) w       = I w0 + sum r x m u*   + torque,       s1 = sum m r,
-/// with the sums of exchange_sums.hpp. Symmetric and positive definite, stable for any weight B < 2 and any density; an
-/// explicit update is not beyond B = 2/(1 + fluid density/sphere density).
-#include <Eigen/Dense>
+/// with the sums of exchange_sums.hpp: symmetric, positive definite, stable for any weight B < 2 and any density; an
+/// explicit update is not beyond B = 2/(1 + fluid density/sphere density). Links between spheres add their resistance
+/// to the system of all.
+#include <vector>
 
 #include "stresslet/coupling/exchange_sums.hpp"
+#include "stresslet/coupling/sphere_images.hpp"
+#include "stresslet/coupling/sphere_links.hpp"
 
 namespace stresslet {
 
-struct SphereVelocities {
-  Vec3<double> velocity{}, angular_velocity{};
+/// What a sphere is, and what acts on it besides fluid and links, for one step in lattice units.
+struct SphereInertia {
+  double mass = 0, moment_of_inertia = 0;
+  Vec3<double> force{}, torque{};
+  bool translates = true, rotates = true;  ///< false: that velocity stays what it is
 };
 
-/// `mass` and `moment_of_inertia` in lattice units; `force`, `torque` are those of everything but the fluid, a step
-/// long. `held` keeps the velocity at that of `before` and lets the sphere rotate.
-inline SphereVelocities settled_velocities(const ExchangeSums<double>& s, double mass, double moment_of_inertia,
-                                           const SphereVelocities& before, const Vec3<double>& force,
-                                           const Vec3<double>& torque, bool held = false) {
-  const SymTensor3<double> arm =
-      (trace(s.second) + moment_of_inertia) * identity3<double>() - s.second;  // of the whole left side
-  const auto& m = s.momentum_arm;
-  const Vec3<double> push = mass * before.velocity + s.momentum + force;
-  const Vec3<double> spin = moment_of_inertia * before.angular_velocity + torque +
-                            Vec3<double>{m[2].y - m[1].z, m[0].z - m[2].x, m[1].x - m[0].y};
-  if (held) return {before.velocity, inverse(arm) * (spin - cross(s.first, before.velocity))};
+/// M + A of one sphere, and the right-hand side.
+struct SphereSystem {
+  Matrix6 matrix;
+  Vector6 right;
+};
+SphereSystem sphere_system(const ExchangeSums<double>& sums, const SphereInertia& inertia,
+                           const ResolvedSphere& before);
 
-  const double whole = mass + s.mass;
-  const Vec3<double>& f = s.first;
-  Eigen::Matrix<double, 6, 6> matrix;
-  matrix << whole, 0, 0, 0, f.z, -f.y,       //
-      0, whole, 0, -f.z, 0, f.x,             //
-      0, 0, whole, f.y, -f.x, 0,             //
-      0, -f.z, f.y, arm.xx, arm.xy, arm.xz,  //
-      f.z, 0, -f.x, arm.xy, arm.yy, arm.yz,  //
-      -f.y, f.x, 0, arm.xz, arm.yz, arm.zz;
-  Eigen::Matrix<double, 6, 1> right;
-  right << push.x, push.y, push.z, spin.x, spin.y, spin.z;
-  const Eigen::Matrix<double, 6, 1> v = matrix.ldlt().solve(right);
-  return {{v(0), v(1), v(2)}, {v(3), v(4), v(5)}};
-}
+struct SettleReport {
+  int iterations = 0;
+  double residual = 0;  ///< of the right-hand side, relative
+};
+
+/// Conjugate gradients over all spheres, preconditioned by the 6x6 blocks of each with its links; without links one
+/// iteration. Ends at a relative residual of `tolerance`: what is left is missing in the sum of momenta.
+class SphereUpdate {
+ public:
+  /// Replaces the velocities of `spheres` by those at the end of the step; `sums(k)` are those of sphere k.
+  template <class Sums>
+  SettleReport settle(std::vector<ResolvedSphere>& spheres, const std::vector<SphereInertia>& inertia,
+                      const std::vector<SphereLink>& links, Sums&& sums) {
+    systems_.resize(spheres.size());
+    for (std::size_t k = 0; k < spheres.size(); ++k) systems_[k] = sphere_system(sums(k), inertia[k], spheres[k]);
+    return solve(spheres, inertia, links);
+  }
+
+ private:
+  SettleReport solve(std::vector<ResolvedSphere>& spheres, const std::vector<SphereInertia>& inertia,
+                     const std::vector<SphereLink>& links);
+
+  std::vector<SphereSystem> systems_;
+  std::vector<Matrix6> inverse_;
+  std::vector<Vector6> velocity_, residual_, direction_, image_, preconditioned_;
+};
+
+constexpr double settle_tolerance = 1e-14;
 
 }  // namespace stresslet

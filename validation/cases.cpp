@@ -24,7 +24,13 @@ void lid_driven_cavity(Trial&);
 void force_schemes(Trial&);
 void free_sphere(Trial&);
 void box_height(Trial&);
+void resolution(Trial&);
+void fixed_sphere(Trial&);
+void profiles(Trial&);
+void pair_in_shear(Trial&);
 void stress_balance(Trial&);
+void pair_resistance(Trial&);
+void stimson_jeffery(Trial&);
 void cubic_array(Trial&);
 void sheared_lattice(Trial&);
 
@@ -45,7 +51,13 @@ constexpr Case list[] = {
     {"L13", "L13-force-schemes", "uniform force: what each forcing law leaves", force_schemes},
     {"A1", "A1-free-sphere", "free sphere in shear, schemes of published work", free_sphere},
     {"A2", "A2-box-height", "walls near a sphere in shear", box_height},
+    {"A3", "A3-resolution", "resolution of a sphere in shear, schemes of published work", resolution},
+    {"A4", "A4-fixed-sphere", "torque and stresslet of a sphere held in shear", fixed_sphere},
+    {"A5", "A5-profiles", "velocity through a free sphere in shear", profiles},
+    {"A6", "A6-pair-in-shear", "two spheres in shear: free, turning, held", pair_in_shear},
     {"stress-balance", "stress-balance", "what walls feel of a sphere, every operator and weight", stress_balance},
+    {"pair-resistance", "pair-resistance", "two spheres: approach, resistance functions, extension", pair_resistance},
+    {"stimson-jeffery", "stimson-jeffery", "two spheres that follow each other", stimson_jeffery},
     {"cubic-array", "cubic-array", "drag and viscosity of cubic arrays of spheres", cubic_array},
     {"sheared-lattice", "sheared-lattice", "cubic lattice of free spheres in shear", sheared_lattice},
 };

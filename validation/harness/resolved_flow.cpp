@@ -6,8 +6,6 @@
 #include "stresslet/base/constants.hpp"
 #include "stresslet/base/error.hpp"
 #include "stresslet/coupling/laws.hpp"
-#include "stresslet/coupling/operators/kinetic_stress.hpp"
-#include "stresslet/coupling/sphere_update.hpp"
 
 namespace stresslet::validation {
 
@@ -18,13 +16,6 @@ double drag_of_solid_cell(const ResolvedScheme& scheme) {
   SolidWeights::dispatch(scheme.weight,
                          [&](auto w) { drag = typename decltype(w)::type(scheme.relaxation_time).drag(1.0); });
   return drag;
-}
-
-double kinetic_factor(const ResolvedScheme& scheme) {
-  double factor = 0;
-  CouplingOperators::dispatch(scheme.coupling_operator,
-                              [&](auto o) { factor = decltype(o)::type::kinetic_stress_factor; });
-  return factor;
 }
 
 double exchange_factor(const ResolvedScheme& scheme) {
@@ -60,25 +51,41 @@ ResolvedFlow::ResolvedFlow(Trial& trial, const FluidSetup& setup, const Resolved
   for (const TestSphere& s : spheres_) solids_.push_back(s.sphere);
 }
 
+void ResolvedFlow::settle() {
+  std::vector<SphereInertia> inertia;
+  for (const TestSphere& s : spheres_) {
+    const double mass = s.density * 4 * pi / 3 * std::pow(s.sphere.radius, 3);
+    inertia.push_back({mass, 0.4 * mass * s.sphere.radius * s.sphere.radius, s.force_lu, {},
+                       s.motion == Motion::free, s.motion != Motion::prescribed});
+  }
+  std::vector<SphereLink> links;
+  for (const PointFriction& f : fluid_.friction()) links.push_back(f.link());
+  const auto sums = [&](std::size_t k) { return fluid_.exchange(k); };
+  update_.settle(solids_, inertia, links, sums);
+  for (std::size_t k = 0; k < spheres_.size(); ++k) {
+    spheres_[k].sphere = solids_[k];
+    loads_[k] = load_on_sphere(sums(k), solids_[k].velocity, solids_[k].angular_velocity);
+  }
+  for (const PointFriction& f : fluid_.friction()) {
+    const ResolvedSphere &one = solids_[std::size_t(f.first)], &two = solids_[std::size_t(f.second)];
+    const Vec3<double> on_first =
+        f.coefficient * (rigid_velocity(two.velocity, two.angular_velocity, f.arm_second) + f.jump -
+                         rigid_velocity(one.velocity, one.angular_velocity, f.arm_first));
+    const auto add = [](HydrodynamicLoad& load, const Vec3<double>& force, const Vec3<double>& arm) {
+      load.force += force;
+      load.torque += cross(arm, force);
+      load.stresslet += symmetric_product(force, arm);
+    };
+    add(loads_[std::size_t(f.first)], on_first, f.arm_first);
+    add(loads_[std::size_t(f.second)], -on_first, f.arm_second);
+  }
+}
+
 void ResolvedFlow::step(Member& member) {
   if (frozen_ && member.rank() == 0)
     fluid_.lattice().shear_offset = fluid_.lattice().departure_offset = frozen_offset_;
   fluid_.prepare(member, solids_);
-  if (member.rank() == 0)
-    for (std::size_t k = 0; k < spheres_.size(); ++k) {
-      TestSphere& s = spheres_[k];
-      const ExchangeSums<double>& sums = fluid_.exchange(k);
-      if (s.motion != Motion::prescribed) {
-        const double mass = s.density * 4 * pi / 3 * std::pow(s.sphere.radius, 3);
-        const SphereVelocities now = settled_velocities(sums, mass, 0.4 * mass * s.sphere.radius * s.sphere.radius,
-                                                        {s.sphere.velocity, s.sphere.angular_velocity}, s.force_lu, {},
-                                                        s.motion == Motion::turning);
-        s.sphere.velocity = now.velocity;
-        s.sphere.angular_velocity = now.angular_velocity;
-      }
-      loads_[k] = load_on_sphere(sums, s.sphere.velocity, s.sphere.angular_velocity);
-      solids_[k] = s.sphere;
-    }
+  if (member.rank() == 0) settle();
   member.barrier();
   fluid_.sweep(member, solids_);
   if (member.rank() == 0)
@@ -135,7 +142,6 @@ void ResolvedFlow::prepare() {
 MomentParts ResolvedFlow::moment_parts(std::size_t k) {
   prepare();
   const double solid = drag_of_solid_cell(scheme_) * (1 - 1e-12), factor = exchange_factor(scheme_);
-  const double kinetic = kinetic_factor(scheme_);
   MomentParts parts;
   for_each_covered_cell(fluid_.lattice(), fluid_.covered(), [&](const ReportedCell& c) {
     if (c.sphere != k) return;
@@ -143,7 +149,6 @@ MomentParts ResolvedFlow::moment_parts(std::size_t k) {
     const Vec3<double> force = -factor * c.share * c.density * (us - c.velocity);
     const double above = 0.5 * force.x * c.arm.y, beside = 0.5 * force.y * c.arm.x;
     (c.drag >= solid ? parts.volume : parts.surface) += above + beside;
-    parts.kinetic += kinetic * c.share * c.non_equilibrium.xy;
     parts.quarter[c.arm.y > 0 ? 0 : 1] += above;
     parts.quarter[c.arm.x > 0 ? 2 : 3] += beside;
   });

@@ -7,6 +7,7 @@
 
 #include "stresslet/coupling/covered_cells.hpp"
 #include "stresslet/coupling/resolved_fluid.hpp"
+#include "stresslet/coupling/sphere_update.hpp"
 #include "validation/harness/trial.hpp"
 
 namespace stresslet::validation {
@@ -51,7 +52,6 @@ struct TestSphere {
 struct MomentParts {
   double volume = 0, surface = 0;
   double quarter[4] = {};
-  double kinetic = 0;  ///< what the complete stresslet has besides
 };
 
 class ResolvedFlow {
@@ -75,7 +75,7 @@ class ResolvedFlow {
   int steps() const { return steps_; }
   const TestSphere& sphere(std::size_t k = 0) const { return spheres_[k]; }
   TestSphere& sphere(std::size_t k = 0) { return spheres_[k]; }
-  /// Of the last step.
+  /// Of the last step, with the friction of spheres that share cells.
   const HydrodynamicLoad& load(std::size_t k = 0) const { return loads_[k]; }
 
   // Readings at the present time.
@@ -89,6 +89,7 @@ class ResolvedFlow {
 
  private:
   void step(Member& member);
+  void settle();
   CellPopulations<D3Q19, double> populations(const Cells& cell);
   void prepare();
 
@@ -96,7 +97,8 @@ class ResolvedFlow {
   ResolvedScheme scheme_;
   std::string label_;
   std::vector<TestSphere> spheres_;
-  std::vector<ResolvedSphere> solids_;
+  std::vector<ResolvedSphere> solids_;  ///< as the fluid meets them
+  SphereUpdate update_;
   std::vector<HydrodynamicLoad> loads_;
   ResolvedFluid fluid_;
   int steps_ = 0;

@@ -55,10 +55,11 @@ ShearResult run_shear_cell(Trial& trial, const ShearCell& cell, const std::strin
   const double scale = 10 * pi / 3 * viscosity * a * a * a * rate;
   ShearResult result;
   result.stresslet = flow.load().stresslet.xy / scale;
+  result.kinetic = flow.load().kinetic.xy / scale;
   result.torque = -flow.load().torque.z / scale;
   result.spin = -flow.sphere().sphere.angular_velocity.z / rate;
   result.parts = flow.moment_parts();
-  for (double* part : {&result.parts.volume, &result.parts.surface, &result.parts.kinetic}) *part /= scale;
+  for (double* part : {&result.parts.volume, &result.parts.surface}) *part /= scale;
   for (double& part : result.parts.quarter) part /= scale;
   const double stress = 0.5 * (flow.plane_stress(1) + flow.plane_stress(size[1] - 3));
   result.wall = (stress - viscosity * rate) * height * size[0] * size[2] / scale;

@@ -22,13 +22,14 @@ struct ShearCell {
 };
 
 struct ShearResult {
-  double stresslet, torque, spin;  ///< stresslet: usual first moment; torque and spin positive along the vorticity
-  MomentParts parts;               ///< over S0
+  double stresslet, kinetic;  ///< usual first moment; what the complete stresslet has besides
+  double torque, spin;        ///< positive along the vorticity
+  MomentParts parts;          ///< over S0
   double wall;                     ///< what the walls feel above the fluid's own stress, times the volume, over S0
   std::vector<double> height, velocity;  ///< along y through the centre: y/a, u_x/(gdot a)
 
   /// What the walls should feel: the complete stresslet and half the torque.
-  double expected_wall() const { return stresslet + parts.kinetic + 0.5 * torque; }
+  double expected_wall() const { return stresslet + kinetic + 0.5 * torque; }
 };
 
 /// Steady to `tolerance` per 2 a^2/nu, or after so many of these times where `times` is given.

@@ -1,30 +1,40 @@
 #pragma once
-/// Exact Stokes flows, as starts close to the steady state and as references.
+/// Stokes flows about spheres, as starts close to the steady state and as references.
 #include <cmath>
 
+#include "stresslet/base/constants.hpp"
 #include "stresslet/base/vec3.hpp"
 
 namespace stresslet::validation {
 
-/// Flow about a sphere of this radius at the origin in the shear u = (rate y, 0, 0), without force on the sphere, which
-/// turns with `spin` about z; inside it, the sphere's velocity. With E the rate of strain,
-///   u = E x + Omega x x - (a/r)^5 E x - (5/2) (a^3/r^5) (1 - a^2/r^2) x (x E x) + (a/r)^3 (spin - Omega) x x
-/// (Kim & Karrila, Microhydrodynamics (1991), section 2.4). Free: spin = -rate/2.
-inline Vec3<double> sphere_in_shear(const Vec3<double>& x, double radius, double rate, double spin) {
-  const double r2 = dot(x, x), a2 = radius * radius;
-  if (r2 <= a2) return {-spin * x.y, spin * x.x, 0};
-  const double q3 = std::pow(a2 / r2, 1.5), q5 = q3 * a2 / r2;
-  const Vec3<double> strain{0.5 * rate * x.y, 0.5 * rate * x.x, 0};
-  const double turning = q3 * (spin + 0.5 * rate);
-  return Vec3<double>{rate * x.y, 0, 0} - q5 * strain - (2.5 * q3 / r2 * (1 - a2 / r2) * rate * x.x * x.y) * x +
-         turning * Vec3<double>{-x.y, x.x, 0};
+/// What a sphere gives to the fluid: force, torque, stresslet.
+struct Strength {
+  Vec3<double> force{}, torque{};
+  SymTensor3<double> stresslet{};
+};
+
+/// Velocity at x from the centre of a sphere of radius a, outside it, with strength (F, T, S):
+///   force      F/(6 pi eta a) along with the flow about a moving sphere
+///   torque     T x x / (8 pi eta r^3)
+///   stresslet  -(a/r)^5 E x - (5/2) (a^3/r^5) (1 - a^2/r^2) x (x E x),   E = S / (20/3 pi eta a^3)
+/// exact for a single sphere (Kim & Karrila, Microhydrodynamics (1991), section 2.4 and chapter 4).
+inline Vec3<double> disturbance(const Vec3<double>& x, double a, double viscosity, const Strength& s) {
+  const double r2 = dot(x, x), q2 = a * a / r2, q = std::sqrt(q2), q3 = q2 * q;
+  const Vec3<double> u = (1 / (6 * pi * viscosity * a)) * s.force;
+  const SymTensor3<double> strain = (3 / (20 * pi * viscosity * a * a * a)) * s.stresslet;
+  const Vec3<double> stretched = strain * x;
+  return (0.25 * q * (3 + q2)) * u + (0.75 * q * (1 - q2) * dot(u, x) / r2) * x +
+         (1 / (8 * pi * viscosity * r2 * std::sqrt(r2))) * cross(s.torque, x) - (q3 * q2) * stretched -
+         (2.5 * q3 * (1 - q2) * dot(stretched, x) / r2) * x;
 }
 
-/// Flow about a sphere at the origin that moves with `velocity` through fluid at rest.
-inline Vec3<double> moving_sphere(const Vec3<double>& x, double radius, const Vec3<double>& velocity) {
-  const double r2 = dot(x, x), q2 = radius * radius / r2, q = std::sqrt(q2);
-  if (r2 <= radius * radius) return velocity;
-  return (0.25 * q * (3 + q2)) * velocity + (0.75 * q * (1 - q2) * dot(velocity, x) / r2) * x;
+/// Flow about a sphere at the origin in the shear u = (rate y, 0, 0), without force on the sphere, which turns with
+/// `spin` about z; inside it, the sphere's velocity. Free: spin = -rate/2.
+inline Vec3<double> sphere_in_shear(const Vec3<double>& x, double radius, double rate, double spin) {
+  const double a3 = radius * radius * radius;
+  if (dot(x, x) <= radius * radius) return {-spin * x.y, spin * x.x, 0};
+  const Strength given{{}, {0, 0, 8 * pi * a3 * (spin + 0.5 * rate)}, {0, 0, 0, 10 * pi / 3 * a3 * rate, 0, 0}};
+  return Vec3<double>{rate * x.y, 0, 0} + disturbance(x, radius, 1, given);
 }
 
 /// Symmetric velocity gradient by central differences.

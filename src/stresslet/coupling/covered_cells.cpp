@@ -1,6 +1,5 @@
 #include "stresslet/coupling/covered_cells.hpp"
 
-#include "stresslet/coupling/operators/kinetic_stress.hpp"
 #include "stresslet/coupling/shared_cells.hpp"
 
 namespace stresslet {
@@ -42,8 +41,7 @@ void for_each_covered_cell(const Lattice<D3Q19, double>& lattice, const CoveredR
              drag,
              share_of_weight(drag, sum_of_drags(covered, run, run.x + place)),
              density,
-             velocity - Vec3<double>{image.velocity_jump, 0, 0},
-             non_equilibrium_stress<D3Q19>(f, velocity)});
+             velocity - Vec3<double>{image.velocity_jump, 0, 0}});
     }
   }
 }

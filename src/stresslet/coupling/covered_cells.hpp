@@ -1,6 +1,6 @@
 #pragma once
 /// Every covered cell one by one, for reports: where on a sphere it takes what from the fluid. The kernels sum the same
-/// in packs (resolved_sweep.hpp); this is the slow, plain version.
+/// in packs (resolved_sweep.hpp), with the kinetic stress; this is the slow, plain version.
 #include <functional>
 
 #include "stresslet/coupling/covered_runs.hpp"
@@ -15,7 +15,6 @@ struct ReportedCell {
   double drag, share;                   ///< alpha_k and B_k (shared_cells.hpp)
   double density;
   Vec3<double> velocity;                ///< u* in the sphere's own frame
-  SymTensor3<double> non_equilibrium;   ///< Pi_neq (operators/kinetic_stress.hpp)
 };
 
 /// After `map`, with the incoming populations as `gather_exchange` reads them; a cell comes once per image in it.

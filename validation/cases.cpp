@@ -31,6 +31,7 @@ void pair_in_shear(Trial&);
 void stress_balance(Trial&);
 void pair_resistance(Trial&);
 void stimson_jeffery(Trial&);
+void sphere_wall(Trial&);
 void cubic_array(Trial&);
 void sheared_lattice(Trial&);
 
@@ -58,6 +59,7 @@ constexpr Case list[] = {
     {"stress-balance", "stress-balance", "what walls feel of a sphere, every operator and weight", stress_balance},
     {"pair-resistance", "pair-resistance", "two spheres: approach, resistance functions, extension", pair_resistance},
     {"stimson-jeffery", "stimson-jeffery", "two spheres that follow each other", stimson_jeffery},
+    {"sphere-wall", "sphere-wall", "a sphere above a plane wall", sphere_wall},
     {"cubic-array", "cubic-array", "drag and viscosity of cubic arrays of spheres", cubic_array},
     {"sheared-lattice", "sheared-lattice", "cubic lattice of free spheres in shear", sheared_lattice},
 };

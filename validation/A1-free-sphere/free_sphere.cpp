@@ -35,10 +35,8 @@ void free_sphere(Trial& trial) {
   if (!trial.quick()) superposition_in_the_large_box(trial);
 
   Table scan{"relaxation-time", {{"tau", "", ""}, {"S", "S0", "fixed sphere, superposition"}}, {{}, {}}};
-  const std::vector<std::pair<double, double>> published =
-      trial.choose<std::vector<std::pair<double, double>>>(
-          {{0.55, 1.225}, {0.65, 1.074}, {0.7, 1.028}, {0.8, 0.958}, {0.9, 0.903}, {1.4, 0.715}},
-          {{1.4, 0.715}});
+  const std::vector<std::pair<double, double>> published = trial.choose<std::vector<std::pair<double, double>>>(
+      {{0.55, 1.225}, {0.65, 1.074}, {0.7, 1.028}, {0.8, 0.958}, {0.9, 0.903}, {1.4, 0.715}}, {{1.4, 0.715}});
   for (const auto& [tau, expected] : published) {
     const ShearCell cell{.scheme = thesis_scheme(tau), .fixed = true};
     const double found = run_shear_cell(trial, cell, fmt::format("A1, fixed, tau {}", tau), 3e-4).stresslet;

@@ -1,7 +1,7 @@
-/// Resolution of a sphere in shear, schemes of published work (Najuch, PhD thesis, University of Edinburgh 2018, chapter
-/// 3): with superposition and the linear weight the sphere's surface lies off by a fixed part of a cell, so the error
-/// of the stresslet falls with the first power of the cell; the usual sum of bounce-back misses the same part of the
-/// stresslet at any resolution. Sub-cells beyond 10 a direction change little, to their limit, the exact overlap.
+/// Resolution of a sphere in shear, schemes of published work (Najuch, PhD thesis, University of Edinburgh 2018,
+/// chapter 3): with superposition and the linear weight the sphere's surface lies off by a fixed part of a cell, so the
+/// error of the stresslet falls with the first power of the cell; the usual sum of bounce-back misses the same part of
+/// the stresslet at any resolution. Sub-cells beyond 10 a direction change little, to their limit, the exact overlap.
 #include "validation/harness/shear_cell.hpp"
 
 namespace stresslet::validation {
@@ -13,7 +13,8 @@ void resolution(Trial& trial) {
   const double tau = trial.choose(1.1, 1.4);
   trial.parameter("relaxation time", tau);
   std::vector<double> errors;
-  Table table{"resolution", {{"N", "cells", ""}, {"S", "S0", "superposition"}, {"S", "S0", "bounce-back, usual"}},
+  Table table{"resolution",
+              {{"N", "cells", ""}, {"S", "S0", "superposition"}, {"S", "S0", "bounce-back, usual"}},
               {{}, {}, {}}};
   for (const int n : sizes) {
     ShearCell cell{.scheme = thesis_scheme(tau), .cells_per_diameter = n, .fixed = true};

@@ -37,8 +37,7 @@ ArrayRheology sheared_cubic_lattice(Trial& trial, const ResolvedScheme& scheme, 
   TestSphere sphere;
   sphere.motion = Motion::free;
   sphere.sphere = {centre, radius, {rate * (centre.y - middle), 0, 0}, {0, 0, -0.5 * rate}};
-  ResolvedFlow flow(trial, setup, scheme, {sphere},
-                    fmt::format("lattice of {} cells, strain {}", edge, strain));
+  ResolvedFlow flow(trial, setup, scheme, {sphere}, fmt::format("lattice of {} cells, strain {}", edge, strain));
   flow.freeze_shear(strain * edge);
   flow.fill([&](const Cells& c) {
     CellState state;
@@ -48,8 +47,7 @@ ArrayRheology sheared_cubic_lattice(Trial& trial, const ResolvedScheme& scheme, 
   });
   flow.advance_to_steady(2e-4, int(std::lround(2 * radius * radius / viscosity)));
   const SymTensor3<double> stress = (1 / (volume * viscosity * rate)) * flow.load().stresslet;
-  return {1 + stress.xy, stress.xx - stress.yy, stress.yy - stress.zz,
-          flow.sphere().sphere.angular_velocity.z / rate};
+  return {1 + stress.xy, stress.xx - stress.yy, stress.yy - stress.zz, flow.sphere().sphere.angular_velocity.z / rate};
 }
 
 }  // namespace stresslet::validation

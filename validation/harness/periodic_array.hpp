@@ -4,8 +4,8 @@
 
 namespace stresslet::validation {
 
-/// K = F/(6 pi eta a U) of fixed spheres in a fluid driven by a uniform force: F the force a sphere takes, with its part
-/// of the mean pressure gradient, U the mean velocity over the whole cell. Both are measured, once steady.
+/// K = F/(6 pi eta a U) of fixed spheres in a fluid driven by a uniform force: F the force a sphere takes, with its
+/// part of the mean pressure gradient, U the mean velocity over the whole cell. Both are measured, once steady.
 double drag_of_cubic_array(Trial& trial, const ResolvedScheme& scheme, int edge, double radius,
                            const Vec3<double>& centre);
 

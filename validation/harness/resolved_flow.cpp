@@ -55,8 +55,12 @@ void ResolvedFlow::settle() {
   std::vector<SphereInertia> inertia;
   for (const TestSphere& s : spheres_) {
     const double mass = s.density * 4 * pi / 3 * std::pow(s.sphere.radius, 3);
-    inertia.push_back({mass, 0.4 * mass * s.sphere.radius * s.sphere.radius, s.force_lu, {},
-                       s.motion == Motion::free, s.motion != Motion::prescribed});
+    inertia.push_back({mass,
+                       0.4 * mass * s.sphere.radius * s.sphere.radius,
+                       s.force_lu,
+                       {},
+                       s.motion == Motion::free,
+                       s.motion != Motion::prescribed});
   }
   std::vector<SphereLink> links;
   for (const PointFriction& f : fluid_.friction()) links.push_back(f.link());
@@ -82,8 +86,7 @@ void ResolvedFlow::settle() {
 }
 
 void ResolvedFlow::step(Member& member) {
-  if (frozen_ && member.rank() == 0)
-    fluid_.lattice().shear_offset = fluid_.lattice().departure_offset = frozen_offset_;
+  if (frozen_ && member.rank() == 0) fluid_.lattice().shear_offset = fluid_.lattice().departure_offset = frozen_offset_;
   fluid_.prepare(member, solids_);
   if (member.rank() == 0) settle();
   member.barrier();
@@ -113,8 +116,8 @@ void ResolvedFlow::advance_to_steady(double tolerance, int interval, int limit) 
       const double radius = spheres_[k].sphere.radius;
       const Vec3<double> force = radius * loads_[k].force, torque = loads_[k].torque;
       const SymTensor3<double>& s = loads_[k].stresslet;
-      for (const double v : {force.x, force.y, force.z, torque.x, torque.y, torque.z, s.xy, s.xz, s.yz, s.xx - s.yy,
-                             s.yy - s.zz})
+      for (const double v :
+           {force.x, force.y, force.z, torque.x, torque.y, torque.z, s.xy, s.xz, s.yz, s.xx - s.yy, s.yy - s.zz})
         all.push_back(v);
     }
     return all;
@@ -180,8 +183,8 @@ Vec3<double> ResolvedFlow::velocity(const Cells& cell) {
   for_each_covered_cell(fluid_.lattice(), fluid_.covered(), [&](const ReportedCell& c) {
     if (c.cell != cell) return;
     const ResolvedSphere& s = solids_[c.sphere];
-    change += 0.5 * exchange_factor(scheme_) * c.share *
-              (rigid_velocity(s.velocity, s.angular_velocity, c.arm) - c.velocity);
+    change +=
+        0.5 * exchange_factor(scheme_) * c.share * (rigid_velocity(s.velocity, s.angular_velocity, c.arm) - c.velocity);
   });
   return u + change;
 }

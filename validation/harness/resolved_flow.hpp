@@ -42,9 +42,9 @@ enum class Motion {
 struct TestSphere {
   ResolvedSphere sphere;
   Motion motion = Motion::prescribed;
-  bool travels = false;       ///< whether the centre moves with the velocity; else the flow settles around it
-  double density = 1;         ///< over that of the fluid at rest
-  Vec3<double> force_lu{};    ///< on the sphere, besides the fluid's
+  bool travels = false;     ///< whether the centre moves with the velocity; else the flow settles around it
+  double density = 1;       ///< over that of the fluid at rest
+  Vec3<double> force_lu{};  ///< on the sphere, besides the fluid's
 };
 
 /// First moment (F_x y + F_y x)/2 of the force on a sphere by where it acts: cells inside against cells at the surface;

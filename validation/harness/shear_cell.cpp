@@ -29,8 +29,8 @@ ShearResult run_shear_cell(Trial& trial, const ShearCell& cell, const std::strin
   const double middle = 0.5 * (size[1] - 1);
   TestSphere sphere;
   sphere.motion = cell.fixed ? Motion::prescribed : Motion::turning;
-  sphere.sphere.centre = Vec3<double>{std::floor(0.5 * size[0]), std::floor(middle), std::floor(0.5 * size[2])} +
-                         cell.shift;
+  sphere.sphere.centre =
+      Vec3<double>{std::floor(0.5 * size[0]), std::floor(middle), std::floor(0.5 * size[2])} + cell.shift;
   sphere.sphere.radius = a;
   const double drift = rate * (sphere.sphere.centre.y - middle), spin = cell.fixed ? 0 : -0.5 * rate;
   sphere.sphere.velocity = {drift, 0, 0};

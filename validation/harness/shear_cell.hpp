@@ -9,15 +9,13 @@ namespace stresslet::validation {
 struct ShearCell {
   ResolvedScheme scheme;
   int cells_per_diameter = 10;
-  Vec3<double> box{5, 5, 5};    ///< in diameters; y from wall to wall
-  bool fixed = false;           ///< or free to turn
-  Vec3<double> shift{};         ///< of the centre from a node, in cells
+  Vec3<double> box{5, 5, 5};  ///< in diameters; y from wall to wall
+  bool fixed = false;         ///< or free to turn
+  Vec3<double> shift{};       ///< of the centre from a node, in cells
   std::string walls = "velocity";
   double reynolds_number = 0.05;  ///< gdot d^2 / nu
 
-  double shear_rate() const {
-    return reynolds_number * scheme.viscosity() / (cells_per_diameter * cells_per_diameter);
-  }
+  double shear_rate() const { return reynolds_number * scheme.viscosity() / (cells_per_diameter * cells_per_diameter); }
   double radius() const { return 0.5 * cells_per_diameter; }
 };
 
@@ -25,7 +23,7 @@ struct ShearResult {
   double stresslet, kinetic;  ///< usual first moment; what the complete stresslet has besides
   double torque, spin;        ///< positive along the vorticity
   MomentParts parts;          ///< over S0
-  double wall;                     ///< what the walls feel above the fluid's own stress, times the volume, over S0
+  double wall;                ///< what the walls feel above the fluid's own stress, times the volume, over S0
   std::vector<double> height, velocity;  ///< along y through the centre: y/a, u_x/(gdot a)
 
   /// What the walls should feel: the complete stresslet and half the torque.

@@ -28,6 +28,27 @@ inline Vec3<double> disturbance(const Vec3<double>& x, double a, double viscosit
          (2.5 * q3 * (1 - q2) * dot(stretched, x) / r2) * x;
 }
 
+/// Pressure of the same flow: F x/(4 pi r^3) - 5 eta a^3 (x E x)/r^5.
+inline double disturbance_pressure(const Vec3<double>& x, const Strength& s) {
+  const double r2 = dot(x, x), r3 = r2 * std::sqrt(r2);
+  return dot(s.force, x) / (4 * pi * r3) - 0.75 / pi * dot(x, s.stresslet * x) / (r3 * r2);
+}
+
+/// What a wall at rest at y = 0 adds to the flow v of pressure p, whose sources lie above it, J the mirror image
+/// (Lorentz; Kim & Karrila, section 12.2; no slip and no divergence are quick to check):
+///   w(x) = -v(Jx) + 2 y grad [v_y(Jx)] + (y^2/eta) grad [p(Jx)]
+template <class Velocity, class Pressure>
+Vec3<double> wall_image(Velocity&& v, Pressure&& p, double viscosity, const Vec3<double>& x) {
+  constexpr double h = 1e-3;
+  const auto mirrored = [](const Vec3<double>& y) { return Vec3<double>{y.x, -y.y, y.z}; };
+  const auto gradient = [&](const auto& f) {
+    const auto slope = [&](const Vec3<double>& e) { return (f(mirrored(x + e)) - f(mirrored(x - e))) / (2 * h); };
+    return Vec3<double>{slope({h, 0, 0}), slope({0, h, 0}), slope({0, 0, h})};
+  };
+  return -v(mirrored(x)) + (2 * x.y) * gradient([&](const Vec3<double>& y) { return v(y).y; }) +
+         (x.y * x.y / viscosity) * gradient(p);
+}
+
 /// Flow about a sphere at the origin in the shear u = (rate y, 0, 0), without force on the sphere, which turns with
 /// `spin` about z; inside it, the sphere's velocity. Free: spin = -rate/2.
 inline Vec3<double> sphere_in_shear(const Vec3<double>& x, double radius, double rate, double spin) {

@@ -29,24 +29,38 @@ Ambient ambient_at(const Field& field, const Vec3<double>& x) {
   constexpr double d = 1e-3;
   const auto slope = [&](const Vec3<double>& e) { return (0.5 / d) * (field(x + d * e) - field(x - d * e)); };
   const Vec3<double> dx = slope(axes[0]), dy = slope(axes[1]), dz = slope(axes[2]);
-  return {field(x) + (1.0 / 6) * laplacian(field, x),
-          0.5 * Vec3<double>{dy.z - dz.y, dz.x - dx.z, dx.y - dy.x},
+  return {field(x) + (1.0 / 6) * laplacian(field, x), 0.5 * Vec3<double>{dy.z - dz.y, dz.x - dx.z, dx.y - dy.x},
           strain(x) + 0.1 * laplacian(strain, x)};
 }
 
+Vec3<double> background(const Unbounded& setup, const Vec3<double>& x) {
+  return Vec3<double>{setup.shear_rate * (x.y - setup.wall.value_or(0)), 0, 0} + setup.strain * x;
+}
+
+/// Flow of the background, of all spheres but `except`, and of what a wall makes of all; viscosity and radius 1.
+Vec3<double> flow_at(const Unbounded& setup, const std::vector<Strength>& strengths, std::size_t except,
+                     const Vec3<double>& x) {
+  Vec3<double> u = background(setup, x);
+  for (std::size_t k = 0; k < setup.spheres.size(); ++k) {
+    const Vec3<double>& centre = setup.spheres[k].centre;
+    if (k != except) u += disturbance(x - centre, 1, 1, strengths[k]);
+    if (!setup.wall) continue;
+    const Vec3<double> foot{0, *setup.wall, 0};
+    u += wall_image([&](const Vec3<double>& y) { return disturbance(y + foot - centre, 1, 1, strengths[k]); },
+                    [&](const Vec3<double>& y) { return disturbance_pressure(y + foot - centre, strengths[k]); }, 1,
+                    x - foot);
+  }
+  return u;
+}
+
 /// Exact to some power of a/(distance of the spheres). Sets the velocities that are free.
-std::vector<Strength> strengths_by_reflection(std::vector<UnboundedSphere>& spheres, const Field& background) {
-  std::vector<Strength> strengths(spheres.size());
+std::vector<Strength> strengths_by_reflection(Unbounded& setup) {
+  std::vector<Strength> strengths(setup.spheres.size());
   for (int round = 0; round < 25; ++round)
-    for (std::size_t k = 0; k < spheres.size(); ++k) {
-      const Field others = [&](const Vec3<double>& x) {
-        Vec3<double> u = background(x);
-        for (std::size_t j = 0; j < spheres.size(); ++j)
-          if (j != k) u += disturbance(x - spheres[j].centre, 1, 1, strengths[j]);
-        return u;
-      };
-      UnboundedSphere& s = spheres[k];
-      const Ambient ambient = ambient_at(others, s.centre);
+    for (std::size_t k = 0; k < setup.spheres.size(); ++k) {
+      UnboundedSphere& s = setup.spheres[k];
+      const Ambient ambient =
+          ambient_at([&](const Vec3<double>& x) { return flow_at(setup, strengths, k, x); }, s.centre);
       if (s.motion == Motion::free) s.velocity = ambient.velocity;
       if (s.motion != Motion::prescribed) s.angular_velocity = ambient.rotation;
       strengths[k] = {s.force ? *s.force : 6 * pi * (s.velocity - ambient.velocity),
@@ -55,12 +69,8 @@ std::vector<Strength> strengths_by_reflection(std::vector<UnboundedSphere>& sphe
   return strengths;
 }
 
-Vec3<double> background(const Unbounded& setup, const Vec3<double>& x) {
-  return Vec3<double>{setup.shear_rate * x.y, 0, 0} + setup.strain * x;
-}
-
 std::vector<UnboundedResult> run_with(Trial& trial, const Unbounded& setup, const std::vector<Strength>& strengths,
-                                      const std::string& label, double tolerance) {
+                                      const std::string& label, double tolerance, VelocityProfile* profile = nullptr) {
   const double a = setup.radius, viscosity = setup.scheme.viscosity(), unit = setup.speed;
   const std::vector<UnboundedSphere>& spheres = setup.spheres;
 
@@ -69,19 +79,22 @@ std::vector<UnboundedResult> run_with(Trial& trial, const Unbounded& setup, cons
     reach = {std::max(reach.x, std::abs(s.centre.x)), std::max(reach.y, std::abs(s.centre.y)),
              std::max(reach.z, std::abs(s.centre.z))};
   const auto cells = [&](double half) { return 2 * int(std::lround(a * (half + 1 + setup.clearance))) + 3; };
-  const Cells n{cells(reach.x), cells(reach.y), cells(reach.z)};
-  const Vec3<double> middle = 0.5 * Vec3<double>{n[0] - 1.0, n[1] - 1.0, n[2] - 1.0} + setup.shift;
+  Cells n{cells(reach.x), cells(reach.y), cells(reach.z)};
+  Vec3<double> middle = 0.5 * Vec3<double>{n[0] - 1.0, n[1] - 1.0, n[2] - 1.0} + setup.shift;
+  if (setup.wall) {
+    // The wall lies half a cell above the first row.
+    middle.y = 0.5 - a * *setup.wall;
+    n[1] = int(std::lround(middle.y + a * (reach.y + 1 + setup.clearance))) + 2;
+  }
 
   // Velocity at a place in cells: inside a sphere its own.
   const Field field = [&](const Vec3<double>& place) {
     const Vec3<double> x = (1 / a) * (place - middle);
-    Vec3<double> u = background(setup, x);
-    for (std::size_t k = 0; k < spheres.size(); ++k) {
-      const Vec3<double> arm = x - spheres[k].centre;
-      if (dot(arm, arm) < 1) return unit * (spheres[k].velocity + cross(spheres[k].angular_velocity, arm));
-      u += disturbance(arm, 1, 1, strengths[k]);
+    for (const UnboundedSphere& s : spheres) {
+      const Vec3<double> arm = x - s.centre;
+      if (dot(arm, arm) < 1) return unit * (s.velocity + cross(s.angular_velocity, arm));
     }
-    return unit * u;
+    return unit * flow_at(setup, strengths, spheres.size(), x);
   };
 
   FluidSetup fluid = resolved_box(n, setup.scheme);
@@ -90,24 +103,30 @@ std::vector<UnboundedResult> run_with(Trial& trial, const Unbounded& setup, cons
   for (int z = 0; z < n[2]; ++z)
     for (int y = 0; y < n[1]; ++y)
       for (int x = 0; x < n[0]; ++x)
-        fluid.solid[cell++] =
-            x == 0 || y == 0 || z == 0 || x == n[0] - 1 || y == n[1] - 1 || z == n[2] - 1;
+        fluid.solid[cell++] = x == 0 || y == 0 || z == 0 || x == n[0] - 1 || y == n[1] - 1 || z == n[2] - 1;
   // Places there are counted from the corner of the first cell.
   fluid.solid_velocity_lu = [&](const Vec3<double>& place) { return field(place - Vec3<double>{0.5, 0.5, 0.5}); };
 
   std::vector<TestSphere> solids;
   for (const UnboundedSphere& s : spheres)
-    solids.push_back({.sphere = {middle + a * s.centre, a, unit * s.velocity, (unit / a) * s.angular_velocity},
-                      .motion = s.motion});
+    solids.push_back(
+        {.sphere = {middle + a * s.centre, a, unit * s.velocity, (unit / a) * s.angular_velocity}, .motion = s.motion});
   ResolvedFlow flow(trial, fluid, setup.scheme, solids, label);
   flow.fill([&](const Cells& c) {
-    if (fluid.solid[std::size_t(c[0]) + std::size_t(n[0]) * (std::size_t(c[1]) + std::size_t(n[1]) * std::size_t(c[2]))])
+    if (fluid
+            .solid[std::size_t(c[0]) + std::size_t(n[0]) * (std::size_t(c[1]) + std::size_t(n[1]) * std::size_t(c[2]))])
       return CellState{};
     const Vec3<double> place{double(c[0]), double(c[1]), double(c[2])};
     return CellState{1, field(place), strain_rate_of(field, place)};
   });
   flow.advance_to_steady(tolerance, int(std::lround(2 * a * a / viscosity)));
 
+  if (profile)
+    for (int y = 1; y < n[1] - 1; ++y) {
+      const Cells c{int(std::lround(middle.x)), y, int(std::lround(middle.z))};
+      profile->height.push_back((y - middle.y) / a);
+      profile->velocity.push_back(flow.velocity(c).x / unit);
+    }
   std::vector<UnboundedResult> results;
   for (std::size_t k = 0; k < spheres.size(); ++k) {
     const HydrodynamicLoad& load = flow.load(k);
@@ -123,11 +142,10 @@ std::vector<UnboundedResult> run_with(Trial& trial, const Unbounded& setup, cons
 }  // namespace
 
 std::vector<UnboundedResult> run_unbounded(Trial& trial, const Unbounded& setup, const std::string& label,
-                                           double tolerance) {
+                                           double tolerance, VelocityProfile* profile) {
   Unbounded run = setup;
-  std::vector<Strength> strengths =
-      strengths_by_reflection(run.spheres, [&](const Vec3<double>& x) { return background(setup, x); });
-  if (run.spheres.size() > 1) {
+  std::vector<Strength> strengths = strengths_by_reflection(run);
+  if (run.spheres.size() > 1 || run.wall) {
     Unbounded coarse = run;
     coarse.scheme = default_scheme(2);
     coarse.radius = 4;
@@ -141,7 +159,7 @@ std::vector<UnboundedResult> run_unbounded(Trial& trial, const Unbounded& setup,
       run.spheres[k].angular_velocity = found[k].angular_velocity;
     }
   }
-  return run_with(trial, run, strengths, label, tolerance);
+  return run_with(trial, run, strengths, label, tolerance, profile);
 }
 
 }  // namespace stresslet::validation

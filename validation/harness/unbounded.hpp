@@ -1,7 +1,8 @@
 #pragma once
-/// Spheres in unbounded Stokes flow, computed in a small box: its faces are walls of solid cells that move with the
-/// velocity which the spheres and the background make there, to the order of force, torque and stresslet of every
-/// sphere. What is left out, the higher moments, decays like (a/R)^4 and more, R the distance of the faces.
+/// Spheres in Stokes flow without bounds, or above a single wall at rest across y, computed in a small box: its faces
+/// are walls of solid cells that move with the velocity which the spheres and the background make there, to the order
+/// of force, torque and stresslet of every sphere. What is left out, the higher moments, decays like (a/R)^4 and more,
+/// R the distance of the faces.
 ///
 /// The strengths on the faces are those that a run with 8 cells a diameter measures, or exact ones where given; its own
 /// come from Faxen's laws, each sphere in the flow of the others, iterated (method of reflections). An error of the
@@ -24,12 +25,13 @@ struct UnboundedSphere {
 
 struct Unbounded {
   ResolvedScheme scheme;
-  double radius = 5;              ///< in cells
-  double clearance = 4;           ///< from the spheres' surfaces to the faces, in radii
-  double speed = 1e-3;            ///< lattice units, of the unit velocity (and, over a radius, of the unit rate)
-  double shear_rate = 0;          ///< background u = (rate y, 0, 0) about the middle of the box
-  SymTensor3<double> strain{};    ///< background u = E x
-  Vec3<double> shift{};           ///< of everything, in cells
+  double radius = 5;             ///< in cells
+  double clearance = 4;          ///< from the spheres' surfaces to the faces, in radii
+  double speed = 1e-3;           ///< lattice units, of the unit velocity (and, over a radius, of the unit rate)
+  double shear_rate = 0;         ///< background u = (rate y, 0, 0) about the middle of the box
+  SymTensor3<double> strain{};   ///< background u = E x
+  std::optional<double> wall{};  ///< its y in radii, below all spheres; the shear is then about it
+  Vec3<double> shift{};          ///< of everything, in cells; above a wall not in y
   std::vector<UnboundedSphere> spheres{};
 };
 
@@ -40,7 +42,12 @@ struct UnboundedResult {
   SymTensor3<double> stresslet;
 };
 
+/// Velocity along y through the middle, cell by cell: y over a, u_x over U.
+struct VelocityProfile {
+  std::vector<double> height, velocity;
+};
+
 std::vector<UnboundedResult> run_unbounded(Trial& trial, const Unbounded& setup, const std::string& label,
-                                           double tolerance = 5e-4);
+                                           double tolerance = 5e-4, VelocityProfile* profile = nullptr);
 
 }  // namespace stresslet::validation

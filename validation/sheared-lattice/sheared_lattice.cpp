@@ -30,10 +30,9 @@ void sheared_lattice(Trial& trial) {
     if (trial.quick() && exact.strain != 0.25) continue;
     const int edge = exact.fraction == 0.1 ? 17 : 14;
     const double radius = std::cbrt(exact.fraction * std::pow(edge, 3) * 3 / (4 * pi)), middle = 0.5 * (edge - 1);
-    const std::pair<const char*, Vec3<double>> places[] = {
-        {"middle", {middle, middle, middle}},
-        {"off node", {middle + 0.5, middle + 0.4, middle - 0.3}},
-        {"on the sheared plane", {3, edge - 0.6, middle}}};
+    const std::pair<const char*, Vec3<double>> places[] = {{"middle", {middle, middle, middle}},
+                                                           {"off node", {middle + 0.5, middle + 0.4, middle - 0.3}},
+                                                           {"on the sheared plane", {3, edge - 0.6, middle}}};
     for (const auto& [name, centre] : places) {
       if (trial.quick() && centre.x != 3) continue;
       const ArrayRheology r = sheared_cubic_lattice(trial, default_scheme(1), edge, radius, exact.strain, centre);

@@ -30,8 +30,8 @@ void for_each_covered_cell(const Lattice<D3Q19, double>& lattice, const CoveredR
       const int place = x - run.global[0];
       const double drag = covered.drag(run)[place];
       if (drag == 0) continue;
-      const auto f = incoming(populations, lattice.arrangement,
-                              layout.index(run.x + place, run.row % ny, run.row / ny));
+      const auto f =
+          incoming(populations, lattice.arrangement, layout.index(run.x + place, run.row % ny, run.row / ny));
       const Moments<double> m = moments_of(f);
       const double density = m.density();
       const Vec3<double> velocity = (m.momentum + 0.5 * lattice.input.force_density) / density;

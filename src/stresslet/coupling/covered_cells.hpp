@@ -10,11 +10,11 @@ namespace stresslet {
 
 struct ReportedCell {
   std::size_t sphere;
-  Cells cell;                           ///< global
-  Vec3<double> arm;                     ///< from the sphere's centre
-  double drag, share;                   ///< alpha_k and B_k (shared_cells.hpp)
+  Cells cell;          ///< global
+  Vec3<double> arm;    ///< from the sphere's centre
+  double drag, share;  ///< alpha_k and B_k (shared_cells.hpp)
   double density;
-  Vec3<double> velocity;                ///< u* in the sphere's own frame
+  Vec3<double> velocity;  ///< u* in the sphere's own frame
 };
 
 /// After `map`, with the incoming populations as `gather_exchange` reads them; a cell comes once per image in it.

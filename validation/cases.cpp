@@ -32,6 +32,10 @@ void stress_balance(Trial&);
 void pair_resistance(Trial&);
 void stimson_jeffery(Trial&);
 void sphere_wall(Trial&);
+void approach(Trial&);
+void passing(Trial&);
+void rotating(Trial&);
+void settling(Trial&);
 void cubic_array(Trial&);
 void sheared_lattice(Trial&);
 
@@ -56,10 +60,14 @@ constexpr Case list[] = {
     {"A4", "A4-fixed-sphere", "torque and stresslet of a sphere held in shear", fixed_sphere},
     {"A5", "A5-profiles", "velocity through a free sphere in shear", profiles},
     {"A6", "A6-pair-in-shear", "two spheres in shear: free, turning, held", pair_in_shear},
+    {"B1", "B1-approach", "two spheres approach, gap of one cell", approach},
+    {"B2", "B2-passing", "two spheres pass each other", passing},
+    {"B3", "B3-rotating", "two spheres turn alike", rotating},
     {"stress-balance", "stress-balance", "what walls feel of a sphere, every operator and weight", stress_balance},
     {"pair-resistance", "pair-resistance", "two spheres: approach, resistance functions, extension", pair_resistance},
     {"stimson-jeffery", "stimson-jeffery", "two spheres that follow each other", stimson_jeffery},
     {"sphere-wall", "sphere-wall", "a sphere above a plane wall", sphere_wall},
+    {"settling", "settling", "a sphere settles in a closed box", settling},
     {"cubic-array", "cubic-array", "drag and viscosity of cubic arrays of spheres", cubic_array},
     {"sheared-lattice", "sheared-lattice", "cubic lattice of free spheres in shear", sheared_lattice},
 };

@@ -30,7 +30,7 @@ std::vector<ResolvedSphere> spheres() {
 /// Free spheres for some steps; calls `watch(fluid, spheres)` after every step.
 template <class Watch>
 void run(ResolvedFluid& fluid, ThreadTeam& team, int steps, Watch&& watch) {
-  fluid.fill([](const Cells& c) {
+  fluid.initialise(team, [](const Cells& c) {
     CellState s;
     s.velocity = {0.002 * std::sin(0.3 * c[1]), 0.001 * std::cos(0.3 * c[0]), 4e-4};
     return s;
@@ -47,7 +47,7 @@ void run(ResolvedFluid& fluid, ThreadTeam& team, int steps, Watch&& watch) {
       fluid.prepare(member, free);
       if (member.rank() == 0) {
         std::vector<SphereLink> links;
-        for (const PointFriction& friction : fluid.friction()) links.push_back(friction.link());
+        for (const PointFriction& friction : fluid.friction()) links.push_back(link_of(friction));
         update.settle(
             free, inertia, links, [&](std::size_t k) -> const auto& { return fluid.exchange(k); });
       }

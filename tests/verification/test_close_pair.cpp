@@ -23,11 +23,11 @@ Push squeezing_force(double relaxation_time, double gap) {
   setup.rates.relaxation_time = relaxation_time;
   setup.rates.magic_parameter = 1.0 / 12;
   ResolvedFluid fluid(setup, {});
-  fluid.fill([](const Cells&) { return CellState{}; });
+  ThreadTeam team(1);
+  fluid.initialise(team, [](const Cells&) { return CellState{}; });
   const double half = radius + gap / 2;
   const std::vector<ResolvedSphere> spheres{{{11.3 - half, 11.8, 12.1}, radius, {speed, 0, 0}, {}},
                                             {{11.3 + half, 11.8, 12.1}, radius, {-speed, 0, 0}, {}}};
-  ThreadTeam team(1);
   const double scale = kinematic_viscosity_lu(relaxation_time) * radius * speed;
   Push push{};
   // The flow has settled to 1e-4: vorticity spreads over the box, sound waves have died away.

@@ -31,9 +31,9 @@ Array cubic_array(double relaxation_time, const Vec3<double>& centre, const Coup
   const double viscosity = kinematic_viscosity_lu(relaxation_time), volume = double(edge) * edge * edge;
   const double force = 1e-6 * viscosity;
   fluid.lattice().input.force_density = {force, 0, 0};
-  fluid.fill([](const Cells&) { return CellState{}; });
-  const std::vector<ResolvedSphere> spheres{{centre, radius, {}, {}}};
   ThreadTeam team(1);
+  fluid.initialise(team, [](const Cells&) { return CellState{}; });
+  const std::vector<ResolvedSphere> spheres{{centre, radius, {}, {}}};
   double before = 0, mean = 1;
   while (std::abs(mean - before) > 2e-6 * std::abs(mean)) {
     before = mean;

@@ -31,7 +31,8 @@ Rheology sheared_lattice(double strain, const Vec3<double>& centre) {
   const double viscosity = kinematic_viscosity_lu(1.0);
   ResolvedFluid fluid(setup, {});
   const double middle = (edge - 1) / 2.0;
-  fluid.fill([&](const Cells& c) {
+  ThreadTeam team(1);
+  fluid.initialise(team, [&](const Cells& c) {
     CellState s;
     s.velocity.x = shear_rate * (c[1] - middle);
     s.strain_rate.xy = 0.5 * shear_rate;
@@ -40,7 +41,6 @@ Rheology sheared_lattice(double strain, const Vec3<double>& centre) {
   const double mass = 4 * pi / 3 * std::pow(radius, 3), inertia = 0.4 * mass * radius * radius;
   std::vector<ResolvedSphere> spheres{
       {centre, radius, {shear_rate * (centre.y - middle), 0, 0}, {0, 0, -shear_rate / 2}}};
-  ThreadTeam team(1);
   SphereUpdate update;
   HydrodynamicLoad load;
   team.run([&](Member& member) {

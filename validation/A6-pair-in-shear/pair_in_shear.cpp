@@ -29,7 +29,7 @@ UnboundedResult upper_sphere(Trial& trial, const ResolvedScheme& scheme, double 
 
 void pair_in_shear(Trial& trial) {
   const char* source = "two-sphere Stokes flow";
-  const double bound = trial.choose(0.03, 0.03), radius = trial.choose(8, 5);
+  const double bound = 0.03, radius = trial.choose(8, 5);
   trial.parameter("cells per diameter, default scheme", 2 * radius);
   for (const Exact& exact : table) {
     if (trial.quick() && exact.s != 3) continue;
@@ -49,11 +49,11 @@ void pair_in_shear(Trial& trial) {
     trial.row(name + "free: S/S0", 2 * free.stresslet.xy, {exact.free_stresslet, source}, relative(bound));
   }
   if (trial.quick()) return;
-  for (const double tau : {0.65, 0.7, 0.8, 1.1, 1.4}) {
+  for (const double tau : {0.7, 0.8, 1.1}) {
     const UnboundedResult r = upper_sphere(trial, thesis_scheme(tau), 5, 3, Motion::turning);
     const std::string name = fmt::format("superposition, tau {}, s = 3, centres held: S/S0", tau);
-    if (tau == 0.7 || tau == 0.8)
-      trial.row(name, 2 * r.stresslet.xy, {table[0].held_stresslet, source}, relative(0.06));
+    if (tau == 0.7)
+      trial.row(name, 2 * r.stresslet.xy, {table[0].held_stresslet, source}, relative(0.05));
     else
       trial.parameter(name, 2 * r.stresslet.xy);
   }

@@ -63,7 +63,7 @@ void ResolvedFlow::settle() {
                        s.motion != Motion::prescribed});
   }
   std::vector<SphereLink> links;
-  for (const PointFriction& f : fluid_.friction()) links.push_back(f.link());
+  for (const PointFriction& f : fluid_.friction()) links.push_back(link_of(f));
   const auto sums = [&](std::size_t k) { return fluid_.exchange(k); };
   update_.settle(solids_, inertia, links, sums);
   for (std::size_t k = 0; k < spheres_.size(); ++k) {
@@ -172,8 +172,7 @@ CellPopulations<D3Q19, double> ResolvedFlow::populations(const Cells& cell) {
 
 Vec3<double> ResolvedFlow::mean_velocity() {
   const Cells& n = fluid_.lattice().grid.size;
-  const Moments<double> sum = fluid_.totals(trial_.team());
-  return (1 / (double(n[0]) * n[1] * n[2])) * sum.momentum;
+  return (1 / (double(n[0]) * n[1] * n[2])) * fluid_.totals(trial_.team()).momentum;
 }
 
 Vec3<double> ResolvedFlow::velocity(const Cells& cell) {

@@ -59,7 +59,7 @@ class ResolvedFlow {
   ResolvedFlow(Trial& trial, const FluidSetup& setup, const ResolvedScheme& scheme, std::vector<TestSphere> spheres,
                std::string label);
 
-  void fill(const std::function<CellState(const Cells&)>& state) { fluid_.fill(state); }
+  void fill(const std::function<CellState(const Cells&)>& state) { fluid_.initialise(trial_.team(), state); }
   void rest() {
     fill([](const Cells&) { return CellState{}; });
   }

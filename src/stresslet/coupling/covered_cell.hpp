@@ -13,7 +13,8 @@ struct CoveredCell {
 /// us = U + w x r, r from the particle's centre to the cell's. Linear in r: along a row of cells it changes by
 /// (0, w_z, -w_y) from cell to cell.
 template <class R>
-Vec3<R> rigid_velocity(const Vec3<R>& velocity, const Vec3<R>& angular_velocity, const Vec3<R>& arm) {
+[[gnu::always_inline]] inline Vec3<R> rigid_velocity(const Vec3<R>& velocity, const Vec3<R>& angular_velocity,
+                                                     const Vec3<R>& arm) {
   return velocity + cross(angular_velocity, arm);
 }
 

@@ -11,34 +11,49 @@
 
 namespace stresslet {
 
-template <class R>
 struct ExchangeSums {
-  R mass{};                               ///< sum m
-  Vec3<R> first{};                        ///< sum m r
-  SymTensor3<R> second{};                 ///< sum m r r
-  Vec3<R> momentum{};                     ///< sum m u*
-  std::array<Vec3<R>, 3> momentum_arm{};  ///< [a]: sum m u*_a r
-  SymTensor3<R> kinetic{};                ///< sum of the kinetic stress (operators/kinetic_stress.hpp)
+  double mass = 0;                             ///< sum m
+  Vec3<double> first{};                        ///< sum m r
+  SymTensor3<double> second{};                 ///< sum m r r
+  Vec3<double> momentum{};                     ///< sum m u*
+  std::array<Vec3<double>, 3> momentum_arm{};  ///< [a]: sum m u*_a r
+  SymTensor3<double> kinetic{};                ///< sum of the kinetic stress (operators/kinetic_stress.hpp)
+};
 
-  void add(const R& m, const Vec3<R>& r, const Vec3<R>& u) {
+/// The part of one run of cells along x, where the arm's y and z are the same all along.
+template <class R>
+struct RunSums {
+  R mass{}, along{}, along_along{};      ///< sum m, sum m x, sum m x x, with x of the arm
+  Vec3<R> momentum{}, momentum_along{};  ///< sum m u*, sum m u* x
+  SymTensor3<R> kinetic{};
+
+  [[gnu::always_inline]] void add(const R& m, const R& x, const Vec3<R>& u) {
+    const R mx = m * x;
+    const Vec3<R> mu = m * u;
     mass += m;
-    const Vec3<R> mr = m * r, mu = m * u;
-    first += mr;
-    second += SymTensor3<R>{mr.x * r.x, mr.y * r.y, mr.z * r.z, mr.x * r.y, mr.x * r.z, mr.y * r.z};
+    along += mx;
+    along_along += mx * x;
     momentum += mu;
-    momentum_arm[0] += mu.x * r;
-    momentum_arm[1] += mu.y * r;
-    momentum_arm[2] += mu.z * r;
+    momentum_along += x * mu;
   }
+};
 
-  ExchangeSums& operator+=(const ExchangeSums& b) {
-    mass += b.mass;
-    first += b.first;
-    second += b.second;
-    momentum += b.momentum;
-    for (std::size_t a = 0; a < 3; ++a) momentum_arm[a] += b.momentum_arm[a];
-    kinetic += b.kinetic;
-    return *this;
+/// A run with its arm across.
+struct RunExchange {
+  RunSums<double> sums;
+  double y, z;
+
+  void add_to(ExchangeSums& s) const {
+    const RunSums<double>& r = sums;
+    s.mass += r.mass;
+    s.first += Vec3<double>{r.along, y * r.mass, z * r.mass};
+    s.second +=
+        SymTensor3<double>{r.along_along, y * y * r.mass, z * z * r.mass, y * r.along, z * r.along, y * z * r.mass};
+    s.momentum += r.momentum;
+    s.momentum_arm[0] += Vec3<double>{r.momentum_along.x, y * r.momentum.x, z * r.momentum.x};
+    s.momentum_arm[1] += Vec3<double>{r.momentum_along.y, y * r.momentum.y, z * r.momentum.y};
+    s.momentum_arm[2] += Vec3<double>{r.momentum_along.z, y * r.momentum.z, z * r.momentum.z};
+    s.kinetic += r.kinetic;
   }
 };
 
@@ -51,7 +66,7 @@ struct HydrodynamicLoad {
   SymTensor3<double> complete_stresslet() const { return stresslet + kinetic; }
 };
 
-inline HydrodynamicLoad load_on_sphere(const ExchangeSums<double>& s, const Vec3<double>& velocity,
+inline HydrodynamicLoad load_on_sphere(const ExchangeSums& s, const Vec3<double>& velocity,
                                        const Vec3<double>& angular_velocity) {
   // Row a of the first moment of the momentum given to the fluid: sum m (U + w x r - u*)_a r.
   const Vec3<double> second_x{s.second.xx, s.second.xy, s.second.xz}, second_y{s.second.xy, s.second.yy, s.second.yz},

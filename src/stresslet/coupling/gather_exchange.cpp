@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <vector>
 
 #include "stresslet/coupling/operators/kinetic_stress.hpp"
@@ -10,116 +11,121 @@ namespace stresslet {
 namespace {
 
 constexpr int width = int(pack_width);
+constexpr std::size_t prefetched_runs = 3;  // ahead of use
 
 template <class Stencil>
-CellPopulations<Stencil, Pack> load_pack(const std::array<const double*, Stencil::size>& source, std::ptrdiff_t x) {
-  const auto at = [&](int i) { return Pack(source[std::size_t(i)] + x, stdx::element_aligned); };
+[[gnu::always_inline]] inline CellPopulations<Stencil, Pack> load_pack(
+    const std::array<const double*, Stencil::size>& source, std::ptrdiff_t x) {
+  const auto at = [&](int i) __attribute__((always_inline)) {
+    return Pack(source[std::size_t(i)] + x, stdx::element_aligned);
+  };
   CellPopulations<Stencil, Pack> f;
   f.rest = at(0);
-  unroll<Stencil::pairs>([&](auto k) {
+  unroll<Stencil::pairs>([&](auto k) __attribute__((always_inline)) {
     const Pack along = at(first_of_pair(k)), against = at(first_of_pair(k) + 1);
     f.pair[k] = {along + against, along - against};
   });
   return f;
 }
 
-ExchangeSums<double> reduced(const ExchangeSums<Pack>& s) {
+RunSums<double> reduced(const RunSums<Pack>& s, bool kinetic) {
   const auto sum = [](const Pack& p) { return stdx::reduce(p); };
   const auto vector = [&](const Vec3<Pack>& v) { return Vec3<double>{sum(v.x), sum(v.y), sum(v.z)}; };
-  const auto tensor = [&](const SymTensor3<Pack>& t) {
-    return SymTensor3<double>{sum(t.xx), sum(t.yy), sum(t.zz), sum(t.xy), sum(t.xz), sum(t.yz)};
-  };
-  return {sum(s.mass),
-          vector(s.first),
-          tensor(s.second),
-          vector(s.momentum),
-          {vector(s.momentum_arm[0]), vector(s.momentum_arm[1]), vector(s.momentum_arm[2])},
-          tensor(s.kinetic)};
+  RunSums<double> r{sum(s.mass), sum(s.along), sum(s.along_along), vector(s.momentum), vector(s.momentum_along)};
+  const SymTensor3<Pack>& t = s.kinetic;
+  if (kinetic) r.kinetic = {sum(t.xx), sum(t.yy), sum(t.zz), sum(t.xy), sum(t.xz), sum(t.yz)};
+  return r;
 }
 
-/// Another run that covers cells of a run, and the friction with it so far.
-struct SharedWith {
-  const CoveredRun* run;
-  const double* drag;
-  Pack coefficient, along;  // sums of c and of c x; the other coordinates are the row's
-};
-
-/// The drags of `n` in the pack of cells that begins at `x`, zero where it covers none.
-Pack drag_at(const SharedWith& n, int x) {
-  const int p = (x - n.run->x) / width;
-  return x < n.run->x || p >= n.run->packs ? Pack(0.0) : load(n.drag + p * width);
-}
-
-void find_neighbours(const CoveredRuns& covered, std::size_t own, std::vector<SharedWith>& found) {
-  found.clear();
-  const CoveredRun& run = covered.runs()[own];
-  const auto [begin, end] = covered.runs_of_row(run.block, std::size_t(run.row));
-  for (const std::int32_t* k = begin; k != end; ++k) {
-    const CoveredRun& other = covered.runs()[std::size_t(*k)];
-    const bool apart = other.x >= run.x + run.packs * width || run.x >= other.x + other.packs * width;
-    if (std::size_t(*k) != own && !apart) found.push_back({&other, covered.drag(other), 0.0, 0.0});
+/// The friction of a run with those of later images in its row; `whole` holds the sum of all drags of the row.
+void find_shared(const CoveredRuns& covered, const CoveredRun& run, const Range& row, const double* whole,
+                 const double* density, std::vector<SharedRun>& shared) {
+  const double* own = covered.drag(run);
+  const SphereImage& image = covered.images()[std::size_t(run.image)];
+  const Vec3<double> arm{run.global[0] - image.centre.x, run.global[1] - image.centre.y,
+                         run.global[2] - image.centre.z};
+  for (std::size_t k = row.begin; k < row.end; ++k) {
+    const CoveredRun& other = covered.runs()[k];
+    if (other.image <= run.image) continue;
+    SharedRun found{run.slot, run.image, other.image};
+    const int begin = std::max(run.x, other.x),
+              end = std::min(run.x + run.packs * width, other.x + other.packs * width);
+    for (int x = begin; x < end; ++x) {
+      const double c = shared_cell_friction(density[x], own[x - run.x], covered.drag(other)[x - other.x], whole[x]);
+      found.coefficient += c;
+      found.coefficient_arm += c * (arm + Vec3<double>{double(x - run.x), 0, 0});
+    }
+    if (found.coefficient > 0) shared.push_back(found);
   }
 }
 
 }  // namespace
 
 template <class Stencil>
-void gather_exchange(const Lattice<Stencil, double>& lattice, const CoveredRuns& covered,
-                     const ExchangeFactors& factors, std::size_t first, std::size_t last, ExchangeSums<double>* sums,
+void gather_exchange(const Lattice<Stencil, double>& lattice, int block, CoveredRuns& covered,
+                     const ExchangeFactors& factors, std::size_t first, std::size_t last, RunExchange* by_slot,
                      std::vector<SharedRun>& shared) {
   const Pack lanes([](auto k) { return double(k); });
   const Vec3<Pack> half_force{Pack(0.5 * lattice.input.force_density.x), Pack(0.5 * lattice.input.force_density.y),
                               Pack(0.5 * lattice.input.force_density.z)};
-  std::vector<SharedWith> neighbours;
-  for (std::size_t k = first; k < last; ++k) {
+  const bool kinetic = factors.kinetic_stress != 0;
+  const auto& populations = lattice.blocks[std::size_t(block)].populations;
+  const BlockLayout& layout = populations.layout();
+  std::array<const double*, Stencil::size> source;
+  for (int i = 0; i < Stencil::size; ++i) source[std::size_t(i)] = populations.source(i, lattice.arrangement);
+  const std::size_t end_of_runs = covered.runs_of_row(block, last - 1).end;
+  const auto prefetch = [&](std::size_t k) {
+    if (k >= end_of_runs) return;
     const CoveredRun& run = covered.runs()[k];
-    const SphereImage& image = covered.images()[std::size_t(run.image)];
-    const auto& populations = lattice.blocks[std::size_t(run.block)].populations;
-    const BlockLayout& layout = populations.layout();
-    const int ny = layout.size()[1];
-    const std::size_t start = layout.index(run.x, run.row % ny, run.row / ny);
-    std::array<const double*, Stencil::size> source;
-    for (int i = 0; i < Stencil::size; ++i) source[std::size_t(i)] = populations.source(i, lattice.arrangement) + start;
-    find_neighbours(covered, k, neighbours);
+    const std::size_t start = layout.index(run.x, run.y, run.z);
+    for (const double* s : source)
+      for (int x = 0; x < run.packs * width; x += int(cache_line / sizeof(double))) __builtin_prefetch(s + start + x);
+  };
 
-    ExchangeSums<Pack> sum{};
-    const Pack arm_y = run.global[1] - image.centre.y, arm_z = run.global[2] - image.centre.z;
-    for (int p = 0; p < run.packs; ++p) {
-      const int x = run.x + p * width;
-      const Pack drag = load(covered.drag(run) + p * width);
-      const CellPopulations<Stencil, Pack> f = load_pack<Stencil>(source, p * width);
-      const Moments<Pack> m = moments_of(f);
-      const Pack density = m.density();
-      const Vec3<Pack> velocity = (m.momentum + half_force) / density;
-      const Vec3<Pack> arm{Pack(run.global[0] + p * width - image.centre.x) + lanes, arm_y, arm_z};
-      Pack whole_drag = drag;
-      for (const SharedWith& n : neighbours) whole_drag += drag_at(n, x);
-      for (SharedWith& n : neighbours)
-        if (n.run->image > run.image) {
-          const Pack c = shared_cell_friction(density, drag, drag_at(n, x), whole_drag);
-          n.coefficient += c;
-          n.along += c * arm.x;
-        }
-      const Pack weight = share_of_weight(drag, whole_drag);
-      sum.add(Pack(factors.exchange) * weight * density, arm,
-              {velocity.x - Pack(image.velocity_jump), velocity.y, velocity.z});
-      if (factors.kinetic_stress != 0)
-        sum.kinetic += Pack(factors.kinetic_stress) * weight * non_equilibrium_stress(f, velocity);
+  // Of one row, all images together.
+  AlignedVector<double> whole(std::size_t(layout.size()[0] + width), 0.0), density(whole.size());
+  for (std::size_t row = first; row < last; ++row) {
+    const Range runs = covered.runs_of_row(block, row);
+    covered.fill_drags(runs);
+    for (std::size_t k = runs.begin; k < runs.end; ++k) {
+      const CoveredRun& run = covered.runs()[k];
+      const double* drag = covered.drag(run);
+      for (int p = 0; p < run.packs * width; p += width)
+        store(&whole[std::size_t(run.x + p)], load(&whole[std::size_t(run.x + p)]) + load(drag + p));
     }
-    sums[k] = reduced(sum);
-    for (const SharedWith& n : neighbours) {
-      const double c = stdx::reduce(n.coefficient);
-      if (c > 0)
-        shared.push_back(
-            {run.image,
-             n.run->image,
-             c,
-             {stdx::reduce(n.along), c * (run.global[1] - image.centre.y), c * (run.global[2] - image.centre.z)}});
+    for (std::size_t k = runs.begin; k < runs.end; ++k) {
+      prefetch(k + prefetched_runs);
+      const CoveredRun& run = covered.runs()[k];
+      const SphereImage& image = covered.images()[std::size_t(run.image)];
+      const std::size_t start = layout.index(run.x, run.y, run.z);
+      const double* drags = covered.drag(run);
+      RunSums<Pack> sum{};
+      bool alone = true;
+      for (int p = 0; p < run.packs * width; p += width) {
+        const Pack drag = load(drags + p), whole_drag = load(&whole[std::size_t(run.x + p)]);
+        if (stdx::none_of(drag > Pack(0.0))) continue;
+        const CellPopulations<Stencil, Pack> f = load_pack<Stencil>(source, std::ptrdiff_t(start) + p);
+        const Moments<Pack> m = moments_of(f);
+        const Pack mass_density = m.density();
+        const Vec3<Pack> velocity = (m.momentum + half_force) / mass_density;
+        const Pack weight = share_of_weight(drag, whole_drag);
+        sum.add(Pack(factors.exchange) * weight * mass_density, Pack(run.global[0] + p - image.centre.x) + lanes,
+                {velocity.x - Pack(image.velocity_jump), velocity.y, velocity.z});
+        if (kinetic) sum.kinetic += Pack(factors.kinetic_stress) * weight * non_equilibrium_stress(f, velocity);
+        store(&density[std::size_t(run.x + p)], mass_density);
+        alone = alone && stdx::all_of(whole_drag == drag);
+      }
+      by_slot[run.slot] = {reduced(sum, kinetic), run.global[1] - image.centre.y, run.global[2] - image.centre.z};
+      if (!alone) find_shared(covered, run, runs, whole.data(), density.data(), shared);
+    }
+    for (std::size_t k = runs.begin; k < runs.end; ++k) {
+      const CoveredRun& run = covered.runs()[k];
+      std::fill_n(&whole[std::size_t(run.x)], run.packs * width, 0.0);
     }
   }
 }
 
-template void gather_exchange<D3Q19>(const Lattice<D3Q19, double>&, const CoveredRuns&, const ExchangeFactors&,
-                                     std::size_t, std::size_t, ExchangeSums<double>*, std::vector<SharedRun>&);
+template void gather_exchange<D3Q19>(const Lattice<D3Q19, double>&, int, CoveredRuns&, const ExchangeFactors&,
+                                     std::size_t, std::size_t, RunExchange*, std::vector<SharedRun>&);
 
 }  // namespace stresslet

@@ -10,6 +10,8 @@
 #include "stresslet/coupling/solid_fraction/exact_overlap.hpp"
 #include "stresslet/coupling/solid_fraction/plane_cut.hpp"
 #include "stresslet/coupling/solid_fraction/sub_cells.hpp"
+#include "stresslet/coupling/subgrid/hard_cut_off.hpp"
+#include "stresslet/coupling/subgrid/soft_cut_off.hpp"
 #include "stresslet/coupling/weights/linear.hpp"
 #include "stresslet/coupling/weights/noble_torczynski.hpp"
 #include "stresslet/coupling/weights/viscosity_scaled.hpp"
@@ -19,5 +21,6 @@ namespace stresslet {
 using SolidFractionLaws = TypeList<PlaneCut, SubCells, ExactOverlap, DistanceWeighting>;
 using CouplingOperators = TypeList<Superposition, GuoForm, NonEquilibriumBounceBack, HalfHoldych, Holdych>;
 using SolidWeights = TypeList<ViscosityScaledWeight, LinearWeight, NobleTorczynskiWeight>;
+using SubgridLaws = TypeList<SoftCutOff, HardCutOff>;
 
 }  // namespace stresslet

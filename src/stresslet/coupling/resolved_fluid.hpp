@@ -17,9 +17,8 @@
 #include "stresslet/coupling/exchange_sums.hpp"
 #include "stresslet/coupling/resolved_sweep.hpp"
 #include "stresslet/coupling/sphere_links.hpp"
-#include "stresslet/lattice/fluid.hpp"
+#include "stresslet/lattice/fluid_of.hpp"
 #include "stresslet/lattice/stencil/d3q19.hpp"
-#include "stresslet/lattice/step.hpp"
 
 namespace stresslet {
 
@@ -28,43 +27,43 @@ struct CouplingSetup {
   SolidLaws solid;  ///< its relaxation time is that of the fluid
 };
 
-class ResolvedFluid {
+class ResolvedFluid : private FluidOf<D3Q19, double> {
  public:
   using Stencil = D3Q19;
 
-  /// `setup` as for Fluid, D3Q19 in double precision.
+  /// `setup` as for Fluid, D3Q19 in double precision; a body force takes Guo's form.
   ResolvedFluid(const FluidSetup& setup, const CouplingSetup& coupling);
 
   Lattice<Stencil, double>& lattice() { return lattice_; }
 
-  /// Every cell at this density and velocity, in equilibrium.
-  void fill(const std::function<CellState(const Cells&)>& state);
+  using FluidOf::bytes;
+  using FluidOf::initialise;
+  using FluidOf::measure;
+  using FluidOf::populations;
+  using FluidOf::restore;
+  using FluidOf::set_shear_offset;
+  using FluidOf::totals;
 
   // All members of the team call these, in this order, once a step.
   void prepare(Member& member, const std::vector<ResolvedSphere>& spheres);
   void sweep(Member& member, const std::vector<ResolvedSphere>& spheres);
 
   /// After `prepare`: the sums over the cells of sphere `k`.
-  const ExchangeSums<double>& exchange(std::size_t k) const { return exchange_[k]; }
+  const ExchangeSums& exchange(std::size_t k) const { return exchange_[k]; }
   /// After `prepare`: friction of spheres that share cells, one entry per pair of images, lumped at its centroid.
   const std::vector<PointFriction>& friction() const { return friction_; }
 
   /// After `prepare`: which cells the spheres cover.
   const CoveredRuns& covered() const { return covered_; }
 
-  /// Mass over the rest density, and momentum of the incoming populations, summed over all cells.
-  Moments<double> totals(ThreadTeam& team);
-
  private:
   void find_friction();
 
-  Lattice<Stencil, double> lattice_;
-  Boundaries<Stencil, double> boundaries_;
-  ResolvedSweep<Stencil> sweep_;
-  SolidLaws solid_;
+  ResolvedSweep<Stencil> resolved_sweep_, forced_sweep_;
   CoveredRuns covered_;
   ExchangeFactors factors_;
-  std::vector<ExchangeSums<double>> run_sums_, exchange_;
+  std::vector<RunExchange> by_slot_;
+  std::vector<ExchangeSums> exchange_;
   std::vector<std::vector<SharedRun>> shared_;  ///< by thread
   std::vector<PointFriction> friction_;
 };

@@ -1,11 +1,12 @@
 #pragma once
 /// The two kernels of the resolved fluid.
 ///
-/// `gather_exchange` reads the incoming populations of the covered cells before they collide: 152 bytes per covered
-/// cell in double precision, in runs along x. `resolved_sweep` is the kernel of lattice/sweep.hpp with the coupling
-/// operator in the covered packs of a row, which it finds in a buffer of the row; the other packs are those of the
-/// plain fluid.
+/// `gather_exchange` finds the solid drags and reads the incoming populations of the covered cells before they collide:
+/// 152 bytes per covered cell in double precision, in runs along x, in the order of the lattice's memory.
+/// `resolved_sweep` is the kernel of lattice/sweep.hpp with the coupling operator in the covered packs of a row, which
+/// it finds in a buffer of the row; the other packs are those of the plain fluid.
 #include <string_view>
+#include <vector>
 
 #include "stresslet/coupling/covered_runs.hpp"
 #include "stresslet/coupling/exchange_sums.hpp"
@@ -18,17 +19,17 @@ struct ExchangeFactors {
   double kinetic_stress = 0;  ///< operators/kinetic_stress.hpp
 };
 
-/// Friction between the images `first` < `second` in the cells of one run of the first (shared_cells.hpp).
+/// Friction of the run at `slot`, of image `first`, with the image `second` > `first` (shared_cells.hpp).
 struct SharedRun {
-  std::int32_t first, second;
+  std::int32_t slot, first, second;
   double coefficient = 0;          ///< sum c
   Vec3<double> coefficient_arm{};  ///< sum c r, r from the centre of the first
 };
 
-/// Sums of every run [first, last): `sums[k]` of run k; `shared` takes, in the order of runs, those with friction.
+/// Sums of every run in the rows [first, last) of block `block`, by slot; `shared` takes those with friction.
 template <class Stencil>
-void gather_exchange(const Lattice<Stencil, double>& lattice, const CoveredRuns& covered,
-                     const ExchangeFactors& factors, std::size_t first, std::size_t last, ExchangeSums<double>* sums,
+void gather_exchange(const Lattice<Stencil, double>& lattice, int block, CoveredRuns& covered,
+                     const ExchangeFactors& factors, std::size_t first, std::size_t last, RunExchange* by_slot,
                      std::vector<SharedRun>& shared);
 
 /// Steps the rows [first, last) of block `block`; `spheres` hold the velocities at which the solid moves.
@@ -36,8 +37,8 @@ template <class Stencil>
 using ResolvedSweep = void (*)(const Lattice<Stencil, double>& lattice, int block, const CoveredRuns& covered,
                                const std::vector<ResolvedSphere>& spheres, std::size_t first, std::size_t last);
 
-/// The kernel for these laws; both names must be in their lists. The body force takes Guo's form.
+/// The kernel for these laws; both names must be in their lists. `forced`: with a body force, in Guo's form.
 template <class Stencil>
-ResolvedSweep<Stencil> resolved_sweep_for(std::string_view collision, std::string_view coupling_operator);
+ResolvedSweep<Stencil> resolved_sweep_for(std::string_view collision, std::string_view coupling_operator, bool forced);
 
 }  // namespace stresslet

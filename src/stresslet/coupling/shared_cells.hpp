@@ -24,7 +24,7 @@ struct SharedDrag {
   R drag{};          ///< a
   Vec3<R> driven{};  ///< sum alpha_k us_k
 
-  void add(const R& solid_drag, const Vec3<R>& velocity) {
+  [[gnu::always_inline]] void add(const R& solid_drag, const Vec3<R>& velocity) {
     drag += solid_drag;
     driven += solid_drag * velocity;
   }
@@ -32,7 +32,7 @@ struct SharedDrag {
 
 /// The one solid that the fluid sees.
 template <class R>
-CoveredCell<R> covered_cell(const SharedDrag<R>& sum) {
+[[gnu::always_inline]] inline CoveredCell<R> covered_cell(const SharedDrag<R>& sum) {
   using std::max;
   const R least = as<R>(1e-30);
   return {weight_from_drag(sum.drag), sum.driven / max(sum.drag, least)};
@@ -40,13 +40,14 @@ CoveredCell<R> covered_cell(const SharedDrag<R>& sum) {
 
 /// B_k of one solid with drag alpha_k where all drags add up to `drag_sum`.
 template <class R>
-R share_of_weight(const R& solid_drag, const R& drag_sum) {
+[[gnu::always_inline]] inline R share_of_weight(const R& solid_drag, const R& drag_sum) {
   return solid_drag / (as<R>(1) + as<R>(0.5) * drag_sum);
 }
 
 /// c_kj, force per relative velocity of the solids k and j.
 template <class R>
-R shared_cell_friction(const R& density, const R& drag_k, const R& drag_j, const R& drag_sum) {
+[[gnu::always_inline]] inline R shared_cell_friction(const R& density, const R& drag_k, const R& drag_j,
+                                                     const R& drag_sum) {
   return as<R>(0.5) * density * drag_k * drag_j / (as<R>(1) + as<R>(0.5) * drag_sum);
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "stresslet/base/vec3.hpp"
+#include "stresslet/lubrication/fluid_coupling.hpp"
 
 namespace stresslet {
 
@@ -27,20 +28,11 @@ inline Eigen::Matrix3d cross_matrix(const Vec3<double>& a) {
   return m;
 }
 
-/// Friction between two spheres that hold the same fluid: c (u2 - u1) acts on the first, the opposite on the second,
-/// at one point, with u the rigid velocities there.
-struct PointFriction {
-  std::int32_t first, second;
-  double coefficient;
-  Vec3<double> arm_first, arm_second;  ///< from the centres to the point
-  Vec3<double> jump;
-
-  SphereLink link() const {
-    Eigen::Matrix<double, 3, 12> relative;  // u1 - u2
-    relative << Eigen::Matrix3d::Identity(), -cross_matrix(arm_first), -Eigen::Matrix3d::Identity(),
-        cross_matrix(arm_second);
-    return {first, second, coefficient * relative.transpose() * relative, jump};
-  }
-};
+inline SphereLink link_of(const PointFriction& f) {
+  Eigen::Matrix<double, 3, 12> relative;  // u1 - u2
+  relative << Eigen::Matrix3d::Identity(), -cross_matrix(f.arm_first), -Eigen::Matrix3d::Identity(),
+      cross_matrix(f.arm_second);
+  return {f.first, f.second, f.coefficient * relative.transpose() * relative, f.jump};
+}
 
 }  // namespace stresslet

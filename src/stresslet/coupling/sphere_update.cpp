@@ -46,7 +46,7 @@ double product(const std::vector<Vector6>& a, const std::vector<Vector6>& b) {
 
 }  // namespace
 
-SphereSystem sphere_system(const ExchangeSums<double>& s, const SphereInertia& inertia, const ResolvedSphere& before) {
+SphereSystem sphere_system(const ExchangeSums& s, const SphereInertia& inertia, const ResolvedSphere& before) {
   const SymTensor3<double> arm =
       (trace(s.second) + inertia.moment_of_inertia) * identity3<double>() - s.second;  // of the whole left side
   const auto& m = s.momentum_arm;

@@ -26,8 +26,7 @@ struct SphereSystem {
   Matrix6 matrix;
   Vector6 right;
 };
-SphereSystem sphere_system(const ExchangeSums<double>& sums, const SphereInertia& inertia,
-                           const ResolvedSphere& before);
+SphereSystem sphere_system(const ExchangeSums& sums, const SphereInertia& inertia, const ResolvedSphere& before);
 
 struct SettleReport {
   int iterations = 0;

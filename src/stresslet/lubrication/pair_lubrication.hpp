@@ -27,6 +27,18 @@ class PairLubrication {
   void update(Member& member, const std::string& law, const LubricationCutoffs& cutoffs, const ActivePairs& pairs,
               const Box& box);
 
+  /// The same from `film(a1, a2, gap)`, a PairResistance<double> per unit viscosity, for laws with parameters.
+  template <class Film>
+  void update_with(Member& member, const ActivePairs& pairs, const Box& box, Film&& film) {
+    const Range mine = member.share(pairs.size(), pack_width);
+    for (std::size_t p = mine.begin; p < mine.end; ++p) {
+      const PairResistance<double> k = film(pairs.radius_i[p], pairs.radius_j[p], pairs.gap[p]);
+      X_[p] = k.X, Y_[p] = k.Y, B_[p] = k.B, C_[p] = k.C;
+      arm_[p] = pairs.distance[p], background_x_[p] = -pairs.images_up[p] * box.velocity_jump();
+    }
+    member.barrier();
+  }
+
   /// Wrench of every pair for the given twists: with `background` the relative velocity of images and the law's
   /// fluid velocity across the gap are included (the physical wrench), without they are not (the linear operator).
   /// All threads; ends with a barrier.

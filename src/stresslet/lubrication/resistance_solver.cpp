@@ -15,11 +15,12 @@ void ResistanceSolver::prepare(const ParticleState& state) {
 }
 
 void ResistanceSolver::factorise(Member& member, const ActivePairs& pairs, PairLubrication& lubrication,
-                                 const WallFilms& walls) {
+                                 const WallFilms& walls, const FluidCoupling& fluid) {
   const Range range = member.share(own_linear_.size(), sum_chunk);
   for (std::size_t i = range.begin; i < range.end; ++i) {
     SymTensor3<double> linear = own_linear_[i] * identity3<double>();
     SymTensor3<double> angular = own_angular_[i] * identity3<double>();
+    fluid.add_diagonal(i, linear, angular);
     pairs.for_each_pair_of(i, [&](std::size_t p, double sign) {
       const auto k = lubrication.resistance(p);
       const double arm = lubrication.arm(p);
@@ -56,13 +57,15 @@ ResistanceSolver::Products ResistanceSolver::advance(std::size_t begin, std::siz
 }
 
 double ResistanceSolver::apply_and_project(std::size_t begin, std::size_t end, const ActivePairs& pairs,
-                                           const PairLubrication& lubrication, const WallFilms& walls) {
+                                           const PairLubrication& lubrication, const WallFilms& walls,
+                                           const FluidCoupling& fluid) {
   double sum = 0;
   for (std::size_t i = begin; i < end; ++i) {
     const Twist<double> v = direction_.get(i);
     Twist<double> wrench{};
     lubrication.add_to(i, pairs, wrench);
     walls.add_to<false>(i, v, wrench);
+    fluid.add_to<false>(i, direction_, wrench);
     const Twist<double> image{own_linear_[i] * v.linear - wrench.linear, own_angular_[i] * v.angular - wrench.angular};
     image_.set(i, image);
     sum += dot(v.linear, image.linear) + dot(v.angular, image.angular);
@@ -71,8 +74,8 @@ double ResistanceSolver::apply_and_project(std::size_t begin, std::size_t end, c
 }
 
 SolverReport ResistanceSolver::solve(Member& member, const ActivePairs& pairs, PairLubrication& lubrication,
-                                     const WallFilms& walls, double tolerance, int largest_iteration,
-                                     TwistVector& velocity, TwistVector& residual) {
+                                     const WallFilms& walls, const FluidCoupling& fluid, double tolerance,
+                                     int largest_iteration, TwistVector& velocity, TwistVector& residual) {
   const std::size_t n = own_linear_.size();
   const Range mine = member.share(n, sum_chunk);
   const auto advance_all = [&](double length) {
@@ -90,7 +93,7 @@ SolverReport ResistanceSolver::solve(Member& member, const ActivePairs& pairs, P
     member.barrier();
     lubrication.apply<false>(member, pairs, direction_);
     const double curvature = direction_sum_(member, n, [&](std::size_t begin, std::size_t end) {
-      return apply_and_project(begin, end, pairs, lubrication, walls);
+      return apply_and_project(begin, end, pairs, lubrication, walls, fluid);
     });
     const Products next = advance_all(now.preconditioned / curvature);
     weight = next.preconditioned / now.preconditioned;
@@ -99,14 +102,15 @@ SolverReport ResistanceSolver::solve(Member& member, const ActivePairs& pairs, P
   }
   report.residual = std::sqrt(now.plain);
   report.converged = report.residual <= tolerance;
-  if (!walls.present()) remove_mean_residual(member, velocity, residual);
+  if (!walls.present()) remove_mean_residual(member, fluid, velocity, residual);
   member.barrier();
   return report;
 }
 
 /// The best uniform shift of all velocities: it makes the total of the remaining forces zero, so that total momentum
 /// is conserved to round-off however early the iteration stops.
-void ResistanceSolver::remove_mean_residual(Member& member, TwistVector& velocity, const TwistVector& residual) {
+void ResistanceSolver::remove_mean_residual(Member& member, const FluidCoupling& fluid, TwistVector& velocity,
+                                            const TwistVector& residual) {
   const std::size_t n = own_linear_.size();
   const Vec3<double> force = force_sum_(member, n, [&](std::size_t begin, std::size_t end) {
     Vec3<double> sum{};
@@ -115,7 +119,8 @@ void ResistanceSolver::remove_mean_residual(Member& member, TwistVector& velocit
   });
   const double resistance = resistance_sum_(member, n, [&](std::size_t begin, std::size_t end) {
     double sum = 0;
-    for (std::size_t i = begin; i < end; ++i) sum += own_linear_[i];
+    for (std::size_t i = begin; i < end; ++i)
+      sum += own_linear_[i] + (fluid.present() ? fluid.resistance[i].linear : 0.0);
     return sum;
   });
   const Vec3<double> shift = force / resistance;

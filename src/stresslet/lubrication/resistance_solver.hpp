@@ -2,14 +2,15 @@
 /// Velocities from forces: conjugate gradients on the symmetric positive system
 ///   (D + R) V = b,
 /// D = each particle's own resistance (mass/step, Stokes drag, moments likewise), R = lubrication of pairs and walls in
-/// Rayleigh form, applied without being stored. Preconditioned by the inverse 3x3 diagonal blocks of translation and
-/// rotation (Saad, Iterative Methods for Sparse Linear Systems, alg. 9.1).
+/// Rayleigh form and the hold of a resolved fluid, applied without being stored. Preconditioned by the inverse 3x3
+/// diagonal blocks of translation and rotation (Saad, Iterative Methods for Sparse Linear Systems, alg. 9.1).
 ///
 /// All threads run the iteration together; scalar products are summed in chunks of fixed length, so the result does not
 /// depend on their number. An iteration meets at four barriers; its memory traffic is the pair kernel's, its wrenches
 /// read again (128 B and 4 B of index per pair), and 15 x 64 B per particle: thirteen twists, 120 B of blocks and
 /// resistances.
 #include "stresslet/exec/chunk_sum.hpp"
+#include "stresslet/lubrication/fluid_coupling.hpp"
 #include "stresslet/lubrication/pair_lubrication.hpp"
 #include "stresslet/lubrication/wall_films.hpp"
 
@@ -31,12 +32,14 @@ class ResistanceSolver {
   }
 
   /// Diagonal blocks for the present coefficients and own resistances. All threads.
-  void factorise(Member& member, const ActivePairs& pairs, PairLubrication& lubrication, const WallFilms& walls);
+  void factorise(Member& member, const ActivePairs& pairs, PairLubrication& lubrication, const WallFilms& walls,
+                 const FluidCoupling& fluid);
 
   /// Improves `velocity` until the residual is at most `tolerance`. On entry `residual` = b - (D + R) velocity, on exit
   /// what is left of it. All threads; the same report on all; ends with a barrier.
   SolverReport solve(Member& member, const ActivePairs& pairs, PairLubrication& lubrication, const WallFilms& walls,
-                     double tolerance, int largest_iteration, TwistVector& velocity, TwistVector& residual);
+                     const FluidCoupling& fluid, double tolerance, int largest_iteration, TwistVector& velocity,
+                     TwistVector& residual);
 
  private:
   struct Products {
@@ -52,8 +55,9 @@ class ResistanceSolver {
   /// [begin, end); returns their part of the scalar products.
   Products advance(std::size_t begin, std::size_t end, double length, TwistVector& velocity, TwistVector& residual);
   double apply_and_project(std::size_t begin, std::size_t end, const ActivePairs& pairs,
-                           const PairLubrication& lubrication, const WallFilms& walls);
-  void remove_mean_residual(Member& member, TwistVector& velocity, const TwistVector& residual);
+                           const PairLubrication& lubrication, const WallFilms& walls, const FluidCoupling& fluid);
+  void remove_mean_residual(Member& member, const FluidCoupling& fluid, TwistVector& velocity,
+                            const TwistVector& residual);
 
   std::vector<double> own_linear_, own_angular_, inverse_radius_squared_;
   std::vector<SymTensor3<double>> inverse_linear_, inverse_angular_;

@@ -21,10 +21,12 @@ Case read_document(InputDocument document, const std::vector<std::string>& overr
 }  // namespace
 
 Case read_case(InputDocument document) {
-  if (fidelity_of(document) != Fidelity::lubricated)
-    throw InputError({document.where(fidelity_key), "this is no case of the lubricated model",
-                      "its fidelity is another one", "give a case with fidelity = \"lubricated\""});
+  const Fidelity fidelity = fidelity_of(document);
+  if (fidelity == Fidelity::fluid)
+    throw InputError({document.where(fidelity_key), "this is no case of a suspension", "it has fluid alone",
+                      "give a case with fidelity = \"lubricated\" or \"resolved\""});
   Case result = read_described<Case>(document, {fidelity_key});
+  result.fidelity = fidelity;
   result.source.document = std::move(document);
   check_case(result);
   settle(result);
@@ -68,6 +70,11 @@ void settle(Case& settled) {
     NormalContactLaws::dispatch(contact.normal,
                                 [&](auto law) { contact.stiffness = decltype(law)::type::default_stiffness; });
   if (!settled.units && !settled.flow.stokes) settled.flow.stokes = default_stokes;
+  if (settled.resolved()) {
+    if (!settled.flow.reynolds) settled.flow.reynolds = settled.stokes_number();
+    if (!settled.resolution) settled.resolution.emplace();
+    settle(*settled.resolution);
+  }
 }
 
 Case read_case(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
@@ -79,7 +86,10 @@ Case read_case_text(std::string_view text, const std::string& name, const std::v
   return read_document(InputDocument::from_text(text, name, folder), overrides);
 }
 
-std::string resolved_toml(const Case& resolved) { return resolved_text(described(resolved)); }
+std::string resolved_toml(const Case& resolved) {
+  const std::string head = resolved.resolved() ? "fidelity = \"resolved\"\n\n" : "";
+  return head + resolved_text(described(resolved));
+}
 
 std::string new_case_template() {
   Case standard;

@@ -1,6 +1,7 @@
 #pragma once
-/// A case of the lubricated model: everything the input says, checked, with every choice made that the input left to a
-/// default.
+/// A case of a suspension: everything the input says, checked, with every choice made that the input left to a default.
+/// With fidelity "resolved" the fluid between the particles is solved for, and [resolution] has a part in it; model and
+/// lubrication then say which modes of the films are corrected, and drag and stresslet come from the fluid.
 ///
 /// Reading ends with a settled case: of each group of equivalent keys exactly one is given (one of model.name and the
 /// switches; one of the three stiffness keys; flow.stokes or [units]; suspension.file or solid_fraction, count,
@@ -14,10 +15,13 @@
 #include "stresslet/simulation/case_sections.hpp"
 #include "stresslet/simulation/case_source.hpp"
 #include "stresslet/simulation/case_suspension.hpp"
+#include "stresslet/simulation/fidelity.hpp"
+#include "stresslet/simulation/resolved/resolution_section.hpp"
 
 namespace stresslet {
 
 struct Case {
+  Fidelity fidelity = Fidelity::lubricated;
   SuspensionInput suspension;
   FlowInput flow;
   ModelInput model;
@@ -27,14 +31,18 @@ struct Case {
   RunInput run;
   OutputInput output;
   std::optional<UnitsInput> units;
+  std::optional<ResolutionInput> resolution;
   CaseSource source;
 
   /// "case.toml:12" of a key; if it was not given, the place of its section, or the name of the input.
   std::string where(std::string_view key) const { return source.document.where(key); }
 
+  bool resolved() const { return fidelity == Fidelity::resolved; }
   ModelSwitches switches() const;
   /// St = density d1^2 shear rate / viscosity, the density of the particles in the units of the program.
   double stokes_number() const;
+  /// Re = density of the fluid d1^2 shear rate / viscosity.
+  double reynolds_number() const { return flow.reynolds.value_or(stokes_number()); }
   /// kn in units of viscosity shear_rate d1 (hooke) or viscosity shear_rate (hertz); none where it is to be derived
   /// from contact.largest_overlap.
   std::optional<double> contact_stiffness() const;
@@ -53,6 +61,7 @@ struct Case {
     v.section("output", output, "What is written, and how often.");
     v.section("units", units,
               "SI values of the units of the program. flow.stokes then follows from them and must not be given.");
+    v.section("resolution", resolution, "The lattice of the fluid; with fidelity = \"resolved\" only.");
   }
 
   friend bool operator==(const Case&, const Case&) = default;

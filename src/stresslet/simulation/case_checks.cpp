@@ -205,6 +205,38 @@ void check_time(const Case& read) {
            "remove it or give 1, or choose time.scheme = \"semi-implicit\"");
 }
 
+/// Keys that belong to one fidelity only.
+void check_fidelity(const Case& read) {
+  if (!read.resolved()) {
+    for (const Given& entry :
+         {Given{"resolution", read.resolution.has_value()}, Given{"flow.reynolds", read.flow.reynolds.has_value()}})
+      if (entry.given)
+        refuse(read.where(entry.key), fmt::format("{} has no effect", entry.key),
+               "only the resolved fluid has a lattice and inertia", "remove it, or write fidelity = \"resolved\"");
+    return;
+  }
+  if (read.flow.boundary == BoxKind::walls)
+    refuse(read.where("flow.boundary"), "flow.boundary = \"walls\" is not available with fidelity = \"resolved\"",
+           "films between particles and walls are not corrected there yet",
+           "use the sheared periodic box, \"lees-edwards\", or fidelity = \"lubricated\"");
+  if (read.time.scheme != "semi-implicit")
+    refuse(read.where("time.scheme"), fmt::format("the scheme {} does not go with a resolved fluid", read.time.scheme),
+           "particles must move semi-implicitly with the fluid that they hold", "leave time.scheme out");
+  if (read.time.step)
+    refuse(read.where("time.step"), "time.step is given for a resolved fluid",
+           "the lattice fixes the step: nu_lu dx^2 Re", "remove it; resolution.relaxation_time changes the step");
+  const bool strain = read.model.name ? switches_of_model(*read.model.name)->lubrication == "grand-resistance"
+                                      : read.model.lubrication.value_or("") == "grand-resistance";
+  if (strain)
+    refuse(read.where(read.model.name ? "model.name" : "model.lubrication"),
+           "the full pair resistance does not go with a resolved fluid", "the lattice resolves the strain terms itself",
+           "choose a model with all modes (CLM-S) or the normal mode (NLM-S)");
+  if (read.resolution && read.resolution->correction_lengths && read.resolution->correction_lengths->size() != 3)
+    refuse(read.where("resolution.correction_lengths"),
+           fmt::format("resolution.correction_lengths has {} entries", read.resolution->correction_lengths->size()),
+           "there are three modes: normal, sliding, opposite rotation", "give three lengths, in cells");
+}
+
 void check_run(const Case& read) {
   if (read.run.average_from && !(*read.run.average_from < read.run.strain))
     refuse(read.where("run.average_from"),
@@ -226,6 +258,7 @@ void check_case(const Case& read) {
   check_contact(read);
   check_lubrication(read);
   check_time(read);
+  check_fidelity(read);
   check_run(read);
 }
 

@@ -74,7 +74,7 @@ struct SuspensionInput {
 
 struct FlowInput {
   BoxKind boundary = BoxKind::lees_edwards;
-  std::optional<double> stokes;
+  std::optional<double> stokes, reynolds;
 
   template <class V>
   void describe(V& v) {
@@ -83,6 +83,8 @@ struct FlowInput {
     v.key("stokes", stokes, otherwise("`0.1`, or derived from [units]"), above(0), "1",
           "Stokes number, density d1^2 shear rate / viscosity: inertia of the particles. Results no longer depend on "
           "it below about 0.1");
+    v.key("reynolds", reynolds, otherwise("the Stokes number: fluid and particles of one density"), above(0), "1",
+          "Reynolds number, density of the fluid d1^2 shear rate / viscosity; with fidelity = \"resolved\" only");
   }
 
   friend bool operator==(const FlowInput&, const FlowInput&) = default;

@@ -1,6 +1,5 @@
 #include "stresslet/simulation/fidelity.hpp"
 
-#include "stresslet/base/error.hpp"
 #include "stresslet/io/schema_read.hpp"
 
 namespace stresslet {
@@ -11,12 +10,7 @@ Fidelity fidelity_of(InputDocument& document) {
   const KeyInfo key{fidelity_key, defaulted, completed<Fidelity>({}), "", "How closely the fluid is followed"};
   if (!std::holds_alternative<std::string>(value->content)) refuse_kind(*value, key, InputType<Fidelity>::name);
   check_value(*value, key);
-  const Fidelity fidelity = InputType<Fidelity>::read(*value).value();
-  if (fidelity == Fidelity::resolved)
-    throw InputError({value->where, "fidelity = \"resolved\" is not available",
-                      "particles in resolved fluid are not built into this version",
-                      "use \"lubricated\" for suspensions, or \"fluid\" for flow without particles"});
-  return fidelity;
+  return InputType<Fidelity>::read(*value).value();
 }
 
 }  // namespace stresslet

@@ -11,6 +11,7 @@
 #include "stresslet/particles/packing/generator.hpp"
 #include "stresslet/particles/sizes/laws.hpp"
 #include "stresslet/simulation/neighbours.hpp"
+#include "stresslet/simulation/resolved/resolved_plan.hpp"
 #include "stresslet/simulation/start_file.hpp"
 
 namespace stresslet {
@@ -88,6 +89,28 @@ void check_walls(const Case& c, const Plan& plan) {
                     "lower it; 0.05 is the usual value"});
 }
 
+Vec3<double> box_of(double volume, const Vec3<double>& aspect) {
+  return std::cbrt(volume / (aspect.x * aspect.y * aspect.z)) * aspect;
+}
+
+/// The lattice fixes the step; contacts must bear it.
+void settle_resolved(const Case& c, Plan& plan) {
+  const auto [smallest, largest] = std::minmax_element(plan.radii.begin(), plan.radii.end());
+  plan.resolved = resolved_setup(c, plan.box, *smallest);
+  plan.physics.drag = plan.physics.stresslet = false;
+  // The range of the correction for every pair; d_eff is least for two of the smallest.
+  if (plan.resolved->correction)
+    plan.physics.cutoffs.outer = plan.resolved->correction->range.outer * plan.resolved->cell / *smallest;
+  plan.time.step = plan.resolved->step();
+  if (plan.time.step > plan.bounds.largest)
+    throw InputError({c.where("flow.reynolds"),
+                      fmt::format("a step of the lattice, {:.3g}, is above the largest step {:.3g} that particles bear",
+                                  plan.time.step, plan.bounds.largest),
+                      fmt::format("that is limited by {}", plan.bounds.binding),
+                      fmt::format("lower flow.reynolds to {:.3g}, the relaxation time, or contact.stiffness",
+                                  c.reynolds_number() * plan.bounds.largest / plan.time.step)});
+}
+
 double volume_of(std::vector<double> radii) {
   std::sort(radii.begin(), radii.end());  // the same bits in any order of the particles
   double sum = 0;
@@ -104,12 +127,17 @@ double Plan::memory_bytes() const {
   constexpr double per_particle = 900, per_candidate = 330;  // arrays of Suspension, by count of their entries
   const double reach = 2 * skin / (2 * *std::max_element(radii.begin(), radii.end()));
   const double candidates = double(count()) * (4 + 40 * solid_fraction * reach);
-  return program + per_particle * double(count()) + per_candidate * candidates;
+  const double lattice = resolved ? resolved_bytes(*resolved) : 0;
+  return lattice + program + per_particle * double(count()) + per_candidate * candidates;
 }
 
 double Plan::expected_seconds(double strain) const {
   const double work = steps(strain) * double(count());
   const double speed_up = threads > 1 ? 0.8 * threads : 1.0;
+  if (resolved) {
+    const double cells = double(resolved->cells[0]) * resolved->cells[1] * resolved->cells[2];
+    return steps(strain) * (cells * (1 + 4 * solid_fraction) / 4.5e7 + 2e-6 * double(count())) / speed_up;
+  }
   if (time.scheme == "explicit") return work / (1.6e7 * (1.2 - solid_fraction) * speed_up);
   const double iterations = 3 + 0.8 * rough_viscosity(std::min(solid_fraction, 0.62), physics.contact.friction);
   return work * (1.1e-7 + 3.5e-8 * iterations) / speed_up;
@@ -135,15 +163,23 @@ Plan make_plan(const Case& c, const Existing* existing) {
     for (const SizeClassed& s : plan.sizes) plan.radii.push_back(0.5 * s.diameter);
     const Vec3<double> aspect = c.suspension.box_aspect.value_or(Vec3<double>{1, 1, 1});
     const double volume = volume_of(plan.radii) / *c.suspension.solid_fraction;
-    plan.box.length = std::cbrt(volume / (aspect.x * aspect.y * aspect.z)) * aspect;
+    plan.box.length = box_of(volume, aspect);
+    if (c.resolved()) {  // proportions in whole cells, the volume as it is
+      const Cells n = cells_along(plan.box.length, c.resolution->cells_per_diameter);
+      plan.box.length = box_of(volume, {double(n[0]), double(n[1]), double(n[2])});
+    }
   }
   plan.solid_fraction = solid_fraction(plan.radii, plan.box);
   plan.box.shear_rate = plan.box.kind == BoxKind::periodic ? 0.0 : 1.0;
   plan.physics = make_physics(c, c.suspension.solid_fraction.value_or(plan.solid_fraction));
-  plan.range = {plan.physics.lubrication_law == "none" ? 0.0 : plan.physics.cutoffs.outer};
   plan.bounds = step_bounds(plan.physics, c.time.scheme, plan.radii, plan.density);
   plan.time.scheme = c.time.scheme;
-  plan.time.step = settled_step(c, plan.bounds);
+  if (c.resolved())
+    settle_resolved(c, plan);
+  else
+    plan.time.step = settled_step(c, plan.bounds);
+  const bool films = c.resolved() ? plan.resolved->correction.has_value() : plan.physics.lubrication_law != "none";
+  plan.range = {films ? plan.physics.cutoffs.outer : 0.0};
   check_walls(c, plan);
   check_box(plan.box, *std::max_element(plan.radii.begin(), plan.radii.end()), plan.range, plan.skin,
             c.where(c.suspension.file ? "suspension.file" : "suspension.count"));
@@ -156,6 +192,7 @@ Suspension make_empty_suspension(const Plan& plan) {
   s.time = plan.time;
   s.box = plan.box;
   s.list = VerletList(plan.range, plan.skin);
+  if (plan.resolved) s.resolved = std::make_shared<ResolvedFlow>(*plan.resolved);
   return s;
 }
 
@@ -167,7 +204,7 @@ Suspension make_suspension(const Case& c, const Plan& plan, const std::function<
   }
   PackingRequest request;
   request.kind = plan.box.kind;
-  request.aspect = c.suspension.box_aspect.value_or(Vec3<double>{1, 1, 1});
+  request.aspect = c.resolved() ? plan.box.length : c.suspension.box_aspect.value_or(Vec3<double>{1, 1, 1});
   request.solid_fraction = *c.suspension.solid_fraction;
   request.seed = std::uint64_t(c.suspension.seed);
   request.shear_rate = plan.box.shear_rate;

@@ -2,11 +2,13 @@
 /// What a case comes to: the model in the program's units, the particles, the box, the time step and its reasons, and
 /// what the run will cost. Everything that can be refused before the run is refused here.
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "stresslet/particles/sizes/size_classed.hpp"
 #include "stresslet/simulation/case.hpp"
+#include "stresslet/simulation/resolved/resolved_flow.hpp"
 #include "stresslet/simulation/suspension.hpp"
 #include "stresslet/simulation/time_step.hpp"
 
@@ -25,6 +27,7 @@ struct Plan {
   double density = 0;
   double solid_fraction = 0;
   int threads = 1;
+  std::optional<ResolvedSetup> resolved;
 
   std::size_t count() const { return radii.size(); }
   double steps(double strain) const { return strain / time.step; }

@@ -6,6 +6,7 @@
 #include "stresslet/simulation/plan.hpp"
 #include "stresslet/simulation/progress.hpp"
 #include "stresslet/simulation/report_lines.hpp"
+#include "stresslet/simulation/resolved/resolved_plan.hpp"
 
 namespace stresslet {
 
@@ -54,7 +55,11 @@ std::string time_lines(const Case& c, const Plan& p) {
   std::string text = "time\n";
   text += line("scheme", p.time.scheme);
   text += line("step", fmt::format("{:.3g} / gdot", p.time.step),
-               fmt::format("{}; limit {:.3g}", c.time.step ? "as given" : "derived", b.largest));
+               fmt::format("{}; limit {:.3g}",
+                           p.resolved    ? "of the lattice"
+                           : c.time.step ? "as given"
+                                         : "derived",
+                           b.largest));
   text += line("bound by", b.binding);
   if (b.contact > 0)
     text += line("half period of a contact", fmt::format("{:.3g} / gdot", b.contact),
@@ -93,13 +98,18 @@ std::string warnings(const Case& c, const Plan& p) {
     warn("averages over less than 2 of strain: the error bar rests on few independent samples");
   if (p.physics.lubrication_law == "grand-resistance" && p.box.kind == BoxKind::walls)
     warn("films at the walls have no strain terms");
+  if (p.resolved)
+    for (const std::string& message :
+         resolved_warnings(c, *p.resolved, *std::min_element(p.radii.begin(), p.radii.end())))
+      warn(message);
   return text.empty() ? text : "warnings\n" + text;
 }
 
 }  // namespace
 
 std::string plan_report(const Case& settled, const Plan& plan) {
-  return suspension_lines(settled, plan) + model_lines(settled, plan) + time_lines(settled, plan) +
+  return suspension_lines(settled, plan) + model_lines(settled, plan) +
+         (plan.resolved ? resolved_lines(settled, *plan.resolved) : "") + time_lines(settled, plan) +
          cost_lines(settled, plan) + warnings(settled, plan);
 }
 

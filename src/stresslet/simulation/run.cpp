@@ -12,9 +12,11 @@
 #include "stresslet/io/results_folder.hpp"
 #include "stresslet/rheology/profile.hpp"
 #include "stresslet/simulation/checkpoint.hpp"
+#include "stresslet/simulation/fluid/lattice_checkpoint.hpp"
 #include "stresslet/simulation/monitor.hpp"
 #include "stresslet/simulation/plan.hpp"
 #include "stresslet/simulation/progress.hpp"
+#include "stresslet/simulation/resolved/resolved_flow.hpp"
 #include "stresslet/simulation/run_checkpoint.hpp"
 #include "stresslet/simulation/run_parts.hpp"
 #include "stresslet/simulation/snapshot.hpp"
@@ -70,7 +72,7 @@ void take_sample(Run& run) {
   check_solver(s);
   const Sample m = sample(s, run.team);
   run.results.add_sample(run.series.add(s.strain, m, double(run.plan.count()), s.solver_report.iterations));
-  if (s.box.shear_rate > 0) check_energy_balance(run.series, run.settled.run.monitor_tolerance);
+  if (s.box.shear_rate > 0 && !s.resolved) check_energy_balance(run.series, run.settled.run.monitor_tolerance);
   if (s.strain >= run.settled.run.average_from.value_or(profile_from_without_average) - strain_round_off)
     run.profile.add(s.state.y, s.state.ux, s.state.radius);
 }
@@ -84,7 +86,10 @@ void commit(Run& run) {
   set_profiles(run.results, run.profile);
   Checkpoint checkpoint = make_checkpoint(run.suspension);
   add_run_state(checkpoint, run.profile.sums(), run.cost());
+  const Suspension& s = run.suspension;
+  if (s.resolved) write_populations(run.results.path(), s.steps, s.resolved->populations(run.team));
   run.results.commit(checkpoint);
+  if (s.resolved) remove_other_populations(run.results.path(), s.steps);
   run.commit_clock.restart();
   run.committed_strain = run.suspension.strain;
 }
@@ -228,6 +233,8 @@ ExitCode restart_run(const std::vector<std::string>& overrides, const RunOptions
           {}};
   run.first_step = run.suspension.steps;
   resume(run.suspension);
+  if (Suspension& s = run.suspension; s.resolved)
+    s.resolved->restore(run.team, read_populations(options.output, s.steps), s.steps, s.box.offset);
   return commit_and_finish(run);
 }
 

@@ -3,6 +3,8 @@
 #include "stresslet/exec/chunk_sum.hpp"
 #include "stresslet/lubrication/laws.hpp"
 #include "stresslet/simulation/neighbours.hpp"
+#include "stresslet/simulation/resolved/resolved_flow.hpp"
+#include "stresslet/simulation/resolved/subgrid_films.hpp"
 #include "stresslet/simulation/schemes/laws.hpp"
 
 namespace stresslet {
@@ -53,9 +55,15 @@ void interact(Suspension& s, ThreadTeam& team, double contact_step, double veloc
     s.contacts.update(member, s.physics.contact, s.pairs, velocities, s.state, s.box.velocity_jump(), contact_step,
                       s.history);
     s.wall_contacts.update(member, s.physics.contact, s.state, velocities, s.box, contact_step);
-    s.lubrication.update(member, s.physics.lubrication_law, s.physics.cutoffs, s.pairs, s.box);
+    if (s.resolved) {
+      update_subgrid_films(member, s);
+      s.resolved->prepare(member, s.state, s.box, s.fluid_coupling);
+    } else {
+      s.lubrication.update(member, s.physics.lubrication_law, s.physics.cutoffs, s.pairs, s.box);
+    }
     s.walls.update(member, s.physics.lubrication_law, s.physics.cutoffs, s.state, s.box);
     Scheme::advance_velocities(member, s, velocity_step);
+    if (s.resolved) s.resolved->sweep(member, s.state);
   });
 }
 
@@ -64,6 +72,7 @@ void interact(Suspension& s, ThreadTeam& team, double contact_step, double veloc
 void start(Suspension& s, ThreadTeam& team) {
   prepare_particle_arrays(s);
   rebuild_neighbours(s, team);
+  if (s.resolved) s.resolved->fill(team);
   TimeSchemes::dispatch(s.time.scheme, [&](auto tag) {
     using Scheme = typename decltype(tag)::type;
     interact<Scheme>(s, team, 0.0, Scheme::first_step(s.time.step));
@@ -94,8 +103,10 @@ Sample sample(const Suspension& s, ThreadTeam& team) {
   LubricationLaws::dispatch(s.physics.lubrication_law, [&](auto tag) {
     model.lubrication_sees_background = decltype(tag)::type::sees_background;
   });
-  return measure(team, {s.box, s.state, synchronous, s.pairs, s.contacts, s.wall_contacts, s.lubrication, s.walls},
-                 model);
+  Sample result =
+      measure(team, {s.box, s.state, synchronous, s.pairs, s.contacts, s.wall_contacts, s.lubrication, s.walls}, model);
+  if (s.resolved) result.stress.stresslet = s.resolved->stresslet(s.state, s.box, s.fluid_coupling);
+  return result;
 }
 
 }  // namespace stresslet

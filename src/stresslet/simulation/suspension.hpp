@@ -1,5 +1,6 @@
 #pragma once
 /// A sheared suspension and everything a time step needs: plain data, passed explicitly. `step.hpp` advances it.
+#include <memory>
 #include <string>
 
 #include "stresslet/dem/contact/contact_forces.hpp"
@@ -23,6 +24,8 @@ struct Physics {
   bool drag = true;       ///< Stokes drag and torque in the mean flow
   bool stresslet = true;  ///< single-sphere stresslet in the stress
 };
+
+class ResolvedFlow;
 
 struct TimeControl {
   std::string scheme = "semi-implicit";
@@ -51,6 +54,8 @@ struct Suspension {
   WallContacts wall_contacts;
   PairLubrication lubrication;
   WallFilms walls;
+  std::shared_ptr<ResolvedFlow> resolved;  ///< none unless the fluid is resolved
+  FluidCoupling fluid_coupling;            ///< of the resolved fluid, empty without
   ResistanceSolver solver;
   SolverReport solver_report;
 

@@ -16,8 +16,9 @@ struct NonEquilibriumBounceBack {
   static constexpr double largest_weight = 1;
 
   template <class Collision, class Forcing, class Stencil, class R>
-  static Vec3<R> collide(CellPopulations<Stencil, R>& f, typename Collision::template Cell<Stencil, R>& rates,
-                         const BodyForce<R>& force, const CoveredCell<R>& solid) {
+  [[gnu::always_inline]] static Vec3<R> collide(CellPopulations<Stencil, R>& f,
+                                                typename Collision::template Cell<Stencil, R>& rates,
+                                                const BodyForce<R>& force, const CoveredCell<R>& solid) {
     const Finish<Stencil, R> finish{SolidContrast<Stencil, R>(f, force, solid), solid.weight};
     stresslet::collide<Collision, Forcing>(f, rates, force, finish);
     return solid.weight * finish.contrast.momentum();
@@ -28,9 +29,11 @@ struct NonEquilibriumBounceBack {
   struct Finish {
     SolidContrast<Stencil, R> contrast;
     R weight;
-    R rest(const R& before, const R& after) const { return after + weight * (before - after + contrast.rest()); }
+    [[gnu::always_inline]] R rest(const R& before, const R& after) const {
+      return after + weight * (before - after + contrast.rest());
+    }
     template <int i>
-    EvenOdd<R> pair(const EvenOdd<R>& before, const EvenOdd<R>& after) const {
+    [[gnu::always_inline]] EvenOdd<R> pair(const EvenOdd<R>& before, const EvenOdd<R>& after) const {
       return {after.even + weight * (before.even - after.even + contrast.template even<i>()),
               after.odd + weight * (contrast.template odd_sum<i>() - before.odd - after.odd)};
     }

@@ -17,8 +17,9 @@ struct HalfHoldych {
   static constexpr double largest_weight = 1;
 
   template <class Collision, class Forcing, class Stencil, class R>
-  static Vec3<R> collide(CellPopulations<Stencil, R>& f, typename Collision::template Cell<Stencil, R>& rates,
-                         const BodyForce<R>& force, const CoveredCell<R>& solid) {
+  [[gnu::always_inline]] static Vec3<R> collide(CellPopulations<Stencil, R>& f,
+                                                typename Collision::template Cell<Stencil, R>& rates,
+                                                const BodyForce<R>& force, const CoveredCell<R>& solid) {
     const Finish<Stencil, R> finish{SolidContrast<Stencil, R>(f, force, solid), solid.weight, force.density};
     stresslet::collide<Collision, Forcing>(f, rates, force, finish);
     return solid.weight * finish.contrast.momentum();
@@ -30,9 +31,9 @@ struct HalfHoldych {
     SolidContrast<Stencil, R> contrast;
     R weight;
     Vec3<R> force;
-    R rest(const R& before, const R& after) const { return after + weight * (before - after); }
+    [[gnu::always_inline]] R rest(const R& before, const R& after) const { return after + weight * (before - after); }
     template <int i>
-    EvenOdd<R> pair(const EvenOdd<R>& before, const EvenOdd<R>& after) const {
+    [[gnu::always_inline]] EvenOdd<R> pair(const EvenOdd<R>& before, const EvenOdd<R>& after) const {
       const R solid = as<R>(0.5) * (contrast.template odd_sum<i>() + contrast.template odd<i>());
       const R half_force = as<R>(3 * Stencil::weight[i]) * along<Stencil, i>(force);
       return {after.even + weight * (before.even - after.even), after.odd + weight * (solid - after.odd + half_force)};

@@ -18,8 +18,9 @@ struct Holdych {
   static constexpr double largest_weight = 1;
 
   template <class Collision, class Forcing, class Stencil, class R>
-  static Vec3<R> collide(CellPopulations<Stencil, R>& f, typename Collision::template Cell<Stencil, R>& rates,
-                         const BodyForce<R>& force, const CoveredCell<R>& solid) {
+  [[gnu::always_inline]] static Vec3<R> collide(CellPopulations<Stencil, R>& f,
+                                                typename Collision::template Cell<Stencil, R>& rates,
+                                                const BodyForce<R>& force, const CoveredCell<R>& solid) {
     const Finish<Stencil, R> finish{SolidContrast<Stencil, R>(f, force, solid), solid.weight};
     stresslet::collide<Collision, Forcing>(f, rates, force, finish);
     return as<R>(exchange) * solid.weight * finish.contrast.momentum();
@@ -30,9 +31,9 @@ struct Holdych {
   struct Finish {
     SolidContrast<Stencil, R> contrast;
     R weight;
-    R rest(const R& before, const R& after) const { return after + weight * (before - after); }
+    [[gnu::always_inline]] R rest(const R& before, const R& after) const { return after + weight * (before - after); }
     template <int i>
-    EvenOdd<R> pair(const EvenOdd<R>& before, const EvenOdd<R>& after) const {
+    [[gnu::always_inline]] EvenOdd<R> pair(const EvenOdd<R>& before, const EvenOdd<R>& after) const {
       const R solid_twice = contrast.template odd_sum<i>() + contrast.template odd<i>();
       return {after.even + weight * (before.even - after.even),
               after.odd + weight * (solid_twice - before.odd - after.odd)};

@@ -12,7 +12,8 @@ namespace stresslet {
 
 /// Pi_neq of one cell; `velocity` is u*.
 template <class Stencil, class R>
-SymTensor3<R> non_equilibrium_stress(const CellPopulations<Stencil, R>& f, const Vec3<R>& velocity) {
+[[gnu::always_inline]] inline SymTensor3<R> non_equilibrium_stress(const CellPopulations<Stencil, R>& f,
+                                                                   const Vec3<R>& velocity) {
   const Moments<R> m = moments_of(f);
   const R pressure = as<R>(speed_of_sound_squared) * m.density_deviation;
   const SymTensor3<R> isotropic{pressure, pressure, Stencil::dimensions == 3 ? pressure : as<R>(0),
@@ -22,7 +23,7 @@ SymTensor3<R> non_equilibrium_stress(const CellPopulations<Stencil, R>& f, const
 
 /// Kinetic stress of a cell under `Operator` with solid weight B.
 template <class Operator, class R>
-SymTensor3<R> kinetic_stress(const R& weight, const SymTensor3<R>& non_equilibrium) {
+[[gnu::always_inline]] inline SymTensor3<R> kinetic_stress(const R& weight, const SymTensor3<R>& non_equilibrium) {
   return as<R>(Operator::kinetic_stress_factor) * weight * non_equilibrium;
 }
 

@@ -28,7 +28,8 @@ namespace stresslet {
 template <class Stencil, class R>
 class SolidContrast {
  public:
-  SolidContrast(const CellPopulations<Stencil, R>& f, const BodyForce<R>& force, const CoveredCell<R>& solid) {
+  [[gnu::always_inline]] SolidContrast(const CellPopulations<Stencil, R>& f, const BodyForce<R>& force,
+                                       const CoveredCell<R>& solid) {
     const Moments<R> m = moments_of(f);
     const R density = m.density();
     const Vec3<R> fluid_velocity = (m.momentum + as<R>(0.5) * force.density) / density;
@@ -41,21 +42,21 @@ class SolidContrast {
   /// rho (us - u*).
   const Vec3<R>& momentum() const { return momentum_; }
 
-  R rest() const { return as<R>(-1.5 * Stencil::weight[0]) * product_; }
+  [[gnu::always_inline]] R rest() const { return as<R>(-1.5 * Stencil::weight[0]) * product_; }
   /// Even part of feq(us) - feq(u*).
   template <int i>
-  R even() const {
+  [[gnu::always_inline]] R even() const {
     constexpr double w = Stencil::weight[i];
     return as<R>(2 * w) * (as<R>(4.5) * along<Stencil, i>(momentum_) * along<Stencil, i>(sum_) - as<R>(1.5) * product_);
   }
   /// Odd part of feq(us) - feq(u*).
   template <int i>
-  R odd() const {
+  [[gnu::always_inline]] R odd() const {
     return as<R>(6 * Stencil::weight[i]) * along<Stencil, i>(momentum_);
   }
   /// Odd part of feq(us) + feq(u*).
   template <int i>
-  R odd_sum() const {
+  [[gnu::always_inline]] R odd_sum() const {
     return as<R>(6 * Stencil::weight[i]) * (density_ * along<Stencil, i>(sum_));
   }
 

@@ -19,8 +19,9 @@ struct Superposition {
   static constexpr double largest_weight = 2;
 
   template <class Collision, class Forcing, class Stencil, class R>
-  static Vec3<R> collide(CellPopulations<Stencil, R>& f, typename Collision::template Cell<Stencil, R>& rates,
-                         const BodyForce<R>& force, const CoveredCell<R>& solid) {
+  [[gnu::always_inline]] static Vec3<R> collide(CellPopulations<Stencil, R>& f,
+                                                typename Collision::template Cell<Stencil, R>& rates,
+                                                const BodyForce<R>& force, const CoveredCell<R>& solid) {
     const Finish<Stencil, R> finish{SolidContrast<Stencil, R>(f, force, solid), solid.weight};
     stresslet::collide<Collision, Forcing>(f, rates, force, finish);
     return solid.weight * finish.contrast.momentum();
@@ -31,9 +32,11 @@ struct Superposition {
   struct Finish {
     SolidContrast<Stencil, R> contrast;
     R weight;
-    R rest(const R& /*before*/, const R& after) const { return after + weight * contrast.rest(); }
+    [[gnu::always_inline]] R rest(const R& /*before*/, const R& after) const {
+      return after + weight * contrast.rest();
+    }
     template <int i>
-    EvenOdd<R> pair(const EvenOdd<R>& /*before*/, const EvenOdd<R>& after) const {
+    [[gnu::always_inline]] EvenOdd<R> pair(const EvenOdd<R>& /*before*/, const EvenOdd<R>& after) const {
       return {after.even + weight * contrast.template even<i>(), after.odd + weight * contrast.template odd<i>()};
     }
   };

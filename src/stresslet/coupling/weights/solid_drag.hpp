@@ -9,12 +9,12 @@
 namespace stresslet {
 
 template <class R>
-R weight_from_drag(const R& drag) {
+[[gnu::always_inline]] inline R weight_from_drag(const R& drag) {
   return drag / (as<R>(1) + as<R>(0.5) * drag);
 }
 
 template <class R>
-R drag_from_weight(const R& weight) {
+[[gnu::always_inline]] inline R drag_from_weight(const R& weight) {
   return weight / (as<R>(1) - as<R>(0.5) * weight);
 }
 

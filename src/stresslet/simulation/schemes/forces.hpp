@@ -13,6 +13,7 @@ inline Twist<double> total_wrench(const Suspension& s, std::size_t i, const Twis
     s.wall_contacts.add_to(i, f);
     s.walls.add_to<true>(i, v, f);
   }
+  s.fluid_coupling.add_to<true>(i, s.velocity, f);
   if (s.physics.drag) {
     const double a = s.state.radius[i];
     const Vec3<double> flow{s.box.mean_flow(s.state.y[i]), 0, 0}, rotation{0, 0, -0.5 * s.box.mean_gradient()};

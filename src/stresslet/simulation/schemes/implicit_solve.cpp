@@ -36,9 +36,9 @@ void implicit_solve(Member& member, Suspension& s, double inverse_step) {
     s.residual.set(i, f.linear - s.state.mass(i) * inverse_step * c.linear,
                    f.angular - s.state.inertia(i) * inverse_step * c.angular);
   }
-  s.solver.factorise(member, s.pairs, s.lubrication, s.walls);
-  const SolverReport report = s.solver.solve(member, s.pairs, s.lubrication, s.walls, absolute_tolerance(s),
-                                             s.time.largest_iteration, s.velocity, s.residual);
+  s.solver.factorise(member, s.pairs, s.lubrication, s.walls, s.fluid_coupling);
+  const SolverReport report = s.solver.solve(member, s.pairs, s.lubrication, s.walls, s.fluid_coupling,
+                                             absolute_tolerance(s), s.time.largest_iteration, s.velocity, s.residual);
   if (member.rank() == 0) s.solver_report = report;
   for (std::size_t i = mine.begin; i < mine.end; ++i) {
     const Twist<double> v = s.velocity.get(i);

@@ -1,0 +1,33 @@
+#include "stresslet/coupling/subgrid/calibrated_lengths.hpp"
+
+#include <fmt/format.h>
+
+#include "stresslet/base/error.hpp"
+
+namespace stresslet {
+
+const std::vector<CalibratedLengths>& calibrated_lengths() {
+  static const std::vector<CalibratedLengths> rows{
+      {"superposition", "viscosity-scaled", "TRT", "soft-cut-off", 0.55, 3, {0.42, 0.145, 0.25}},
+  };
+  return rows;
+}
+
+SubgridCorrection calibrated_correction(const std::string& coupling_operator, const std::string& weight,
+                                        const std::string& collision, double relaxation_time, const std::string& law) {
+  for (const CalibratedLengths& row : calibrated_lengths())
+    if (row.coupling_operator == coupling_operator && row.weight == weight && row.collision == collision &&
+        row.law == law && row.lowest_relaxation_time <= relaxation_time &&
+        relaxation_time <= row.highest_relaxation_time)
+      return {law, row.lengths, {}};
+  throw InputError({"",
+                    fmt::format("no calibrated sub-grid correction {} for the operator {} with the weight {}, "
+                                "collision {}, relaxation time {}",
+                                law, coupling_operator, weight, collision, relaxation_time),
+                    "what the grid resolves of a thin film depends on all of them",
+                    fmt::format("give the lengths that `stresslet calibrate --law {} --operator {} --weight {} "
+                                "--collision {} --tau {}` finds, or take superposition, viscosity-scaled and TRT",
+                                law, coupling_operator, weight, collision, relaxation_time)});
+}
+
+}  // namespace stresslet

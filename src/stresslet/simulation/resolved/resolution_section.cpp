@@ -1,0 +1,19 @@
+#include "stresslet/simulation/resolved/resolution_section.hpp"
+
+namespace stresslet {
+
+void settle(ResolutionInput& r) {
+  const bool thesis = r.preset == ResolutionPreset::thesis;
+  const auto choose = [](auto& key, auto value) {
+    if (!key) key = value;
+  };
+  choose(r.relaxation_time, thesis ? 0.65 : r.preset == ResolutionPreset::fast ? 2.0 : 1.0);
+  choose(r.magic_parameter, 1.0 / 12);
+  choose(r.collision, thesis ? Bgk::name : Trt::name);
+  choose(r.coupling, Superposition::name);
+  choose(r.solid_fraction, PlaneCut::name);
+  choose(r.solid_weight, thesis ? LinearWeight::name : ViscosityScaledWeight::name);
+  choose(r.correction, thesis ? HardCutOff::name : SoftCutOff::name);
+}
+
+}  // namespace stresslet

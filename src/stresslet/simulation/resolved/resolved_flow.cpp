@@ -1,0 +1,106 @@
+#include "stresslet/simulation/resolved/resolved_flow.hpp"
+
+#include <cmath>
+
+namespace stresslet {
+
+namespace {
+
+FluidSetup fluid_setup(const ResolvedSetup& s) {
+  FluidSetup setup;
+  setup.grid.size = s.cells;
+  if (s.sheared) setup.grid.closure[1] = Closure::sheared;
+  setup.collision = s.collision;
+  setup.rates = s.rates;
+  if (s.sheared) setup.shear_velocity_lu = s.cells[1] * s.step();
+  return setup;
+}
+
+}  // namespace
+
+double ResolvedSetup::mach() const {
+  return sheared ? 0.5 * cells[1] * step() / std::sqrt(speed_of_sound_squared) : 0.0;
+}
+
+ResolvedFlow::ResolvedFlow(const ResolvedSetup& setup)
+    : setup_(setup),
+      step_(setup.step()),
+      mass_unit_(setup.reynolds * setup.cell * setup.cell * setup.cell),
+      fluid_(fluid_setup(setup), setup.coupling) {}
+
+void ResolvedFlow::fill(ThreadTeam& team) {
+  const double gradient = setup_.sheared ? step_ : 0.0, middle = 0.5 * (setup_.cells[1] - 1);
+  fluid_.initialise(team, [&](const Cells& c) {
+    CellState s;
+    s.velocity.x = gradient * (c[1] - middle);
+    s.strain_rate.xy = 0.5 * gradient;
+    return s;
+  });
+}
+
+void ResolvedFlow::prepare(Member& member, const ParticleState& state, const Box& box, FluidCoupling& coupling) {
+  const std::size_t n = state.size();
+  if (member.rank() == 0) {
+    spheres_.resize(n);
+    coupling.resistance.resize(n);
+    coupling.push.resize(n);
+    if (setup_.sheared) fluid_.lattice().shear_offset = box.offset / setup_.cell;
+  }
+  member.barrier();
+  const Range mine = member.share(n);
+  for (std::size_t i = mine.begin; i < mine.end; ++i)
+    spheres_[i] = {state.position(i) / setup_.cell - Vec3<double>{0.5, 0.5, 0.5}, state.radius[i] / setup_.cell};
+  member.barrier();
+  fluid_.prepare(member, spheres_);
+
+  const double rate = mass_unit_ / step_, length = setup_.cell, velocity = length / step_;
+  for (std::size_t i = mine.begin; i < mine.end; ++i) {
+    const ExchangeSums& s = fluid_.exchange(i);
+    const auto& m = s.momentum_arm;
+    coupling.resistance[i] = {rate * s.mass, rate * length * s.first,
+                              rate * length * length * (trace(s.second) * identity3<double>() - s.second)};
+    coupling.push[i] = {rate * velocity * s.momentum,
+                        rate * velocity * length * Vec3<double>{m[2].y - m[1].z, m[0].z - m[2].x, m[1].x - m[0].y}};
+  }
+  if (member.rank() == 0) {
+    std::vector<PointFriction> friction = fluid_.friction();
+    for (PointFriction& f : friction) {
+      f.coefficient *= rate;
+      f.arm_first = length * f.arm_first, f.arm_second = length * f.arm_second;
+      f.jump = velocity * f.jump;
+    }
+    coupling.set_friction(std::move(friction), n);
+  }
+  member.barrier();
+}
+
+void ResolvedFlow::sweep(Member& member, const ParticleState& state) {
+  const Range mine = member.share(state.size());
+  for (std::size_t i = mine.begin; i < mine.end; ++i) {
+    spheres_[i].velocity = (step_ / setup_.cell) * state.velocity(i);
+    spheres_[i].angular_velocity = step_ * state.angular_velocity(i);
+  }
+  member.barrier();
+  fluid_.sweep(member, spheres_);
+}
+
+Stress ResolvedFlow::stresslet(const ParticleState& state, const Box& box, const FluidCoupling& coupling) const {
+  Stress sum{};
+  for (std::size_t i = 0; i < spheres_.size(); ++i)
+    sum += load_on_sphere(fluid_.exchange(i), spheres_[i].velocity, spheres_[i].angular_velocity).complete_stresslet();
+  sum = (mass_unit_ * setup_.cell * setup_.cell / (step_ * step_)) * sum;
+  const auto twist = [&](std::int32_t i) {
+    return Twist<double>{state.velocity(std::size_t(i)), state.angular_velocity(std::size_t(i))};
+  };
+  for (const PointFriction& f : coupling.friction())
+    sum += symmetric_product(f.arm_first - f.arm_second, f.force(twist(f.first), twist(f.second), true));
+  return (1 / box.volume()) * sum;
+}
+
+void ResolvedFlow::restore(ThreadTeam& team, const std::vector<double>& populations, std::int64_t steps,
+                           double offset) {
+  fluid_.restore(team, populations, steps);
+  if (setup_.sheared) fluid_.set_shear_offset(offset / setup_.cell);
+}
+
+}  // namespace stresslet

@@ -1,0 +1,66 @@
+#pragma once
+/// The resolved fluid of a suspension: lattice and particles in each other's units, and what passes between them in a
+/// step.
+///
+/// Cell i is centred on (i + 1/2) dx. Units of the program (d1, 1/shear rate, viscosity 1) give the fluid the density
+/// Re = rho d1^2 gdot / eta and the kinematic viscosity 1/Re, so that a step lasts nu_lu dx^2 Re.
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "stresslet/coupling/resolved_fluid.hpp"
+#include "stresslet/coupling/subgrid/subgrid_links.hpp"
+#include "stresslet/lubrication/fluid_coupling.hpp"
+#include "stresslet/particles/box.hpp"
+#include "stresslet/particles/state.hpp"
+#include "stresslet/rheology/stress.hpp"
+
+namespace stresslet {
+
+struct ResolvedSetup {
+  Cells cells{};         ///< along the box; cells are cubes
+  double cell = 0;       ///< their edge, d1
+  double reynolds = 0;   ///< density of the fluid in units of the program
+  CollisionInput rates;  ///< relaxation time and magic parameter
+  std::string collision = "TRT";
+  CouplingSetup coupling;
+  std::optional<SubgridCorrection> correction;  ///< lengths in cells
+  bool sheared = true;
+
+  double step() const { return kinematic_viscosity_lu(rates.relaxation_time) * cell * cell * reynolds; }
+  /// Of the fastest fluid in a sheared box, at the faces across y.
+  double mach() const;
+};
+
+class ResolvedFlow {
+ public:
+  explicit ResolvedFlow(const ResolvedSetup& setup);
+
+  /// The mean shear flow at time zero.
+  void fill(ThreadTeam& team);
+
+  // All members of the team, once a step each.
+  /// Measures the fluid in the particles' cells and says what it does to them.
+  void prepare(Member& member, const ParticleState& state, const Box& box, FluidCoupling& coupling);
+  /// Moves the fluid on, with the particles at their new velocities.
+  void sweep(Member& member, const ParticleState& state);
+
+  /// After `sweep`, per volume, in units of viscosity x shear rate: first moments of the forces that the particles
+  /// exert on the fluid and on each other through shared cells, kinetic part included.
+  Stress stresslet(const ParticleState& state, const Box& box, const FluidCoupling& coupling) const;
+
+  Fluid::Totals totals(ThreadTeam& team) { return fluid_.totals(team); }
+  std::vector<double> populations(ThreadTeam& team) { return fluid_.populations(team); }
+  void restore(ThreadTeam& team, const std::vector<double>& populations, std::int64_t steps, double offset);
+
+  const ResolvedSetup& setup() const { return setup_; }
+  double cells() const { return double(setup_.cells[0]) * setup_.cells[1] * setup_.cells[2]; }
+
+ private:
+  ResolvedSetup setup_;
+  double step_, mass_unit_;  ///< of the program, per unit of the lattice
+  ResolvedFluid fluid_;
+  std::vector<ResolvedSphere> spheres_;
+};
+
+}  // namespace stresslet

@@ -22,6 +22,22 @@ void kelvin_mode(Trial&);
 void sheared_profile(Trial&);
 void lid_driven_cavity(Trial&);
 void force_schemes(Trial&);
+void free_sphere(Trial&);
+void box_height(Trial&);
+void resolution(Trial&);
+void fixed_sphere(Trial&);
+void profiles(Trial&);
+void pair_in_shear(Trial&);
+void stress_balance(Trial&);
+void pair_resistance(Trial&);
+void stimson_jeffery(Trial&);
+void sphere_wall(Trial&);
+void approach(Trial&);
+void passing(Trial&);
+void rotating(Trial&);
+void settling(Trial&);
+void cubic_array(Trial&);
+void sheared_lattice(Trial&);
 
 namespace {
 
@@ -38,6 +54,22 @@ constexpr Case list[] = {
     {"L10", "L10-sheared-profile", "relaxation to the linear profile under the sheared boundary", sheared_profile},
     {"L12", "L12-lid-driven-cavity", "lid-driven cavity at Reynolds number 100", lid_driven_cavity},
     {"L13", "L13-force-schemes", "uniform force: what each forcing law leaves", force_schemes},
+    {"A1", "A1-free-sphere", "free sphere in shear, schemes of published work", free_sphere},
+    {"A2", "A2-box-height", "walls near a sphere in shear", box_height},
+    {"A3", "A3-resolution", "resolution of a sphere in shear, schemes of published work", resolution},
+    {"A4", "A4-fixed-sphere", "torque and stresslet of a sphere held in shear", fixed_sphere},
+    {"A5", "A5-profiles", "velocity through a free sphere in shear", profiles},
+    {"A6", "A6-pair-in-shear", "two spheres in shear: free, turning, held", pair_in_shear},
+    {"B1", "B1-approach", "two spheres approach, gap of one cell", approach},
+    {"B2", "B2-passing", "two spheres pass each other", passing},
+    {"B3", "B3-rotating", "two spheres turn alike", rotating},
+    {"stress-balance", "stress-balance", "what walls feel of a sphere, every operator and weight", stress_balance},
+    {"pair-resistance", "pair-resistance", "two spheres: approach, resistance functions, extension", pair_resistance},
+    {"stimson-jeffery", "stimson-jeffery", "two spheres that follow each other", stimson_jeffery},
+    {"sphere-wall", "sphere-wall", "a sphere above a plane wall", sphere_wall},
+    {"settling", "settling", "a sphere settles in a closed box", settling},
+    {"cubic-array", "cubic-array", "drag and viscosity of cubic arrays of spheres", cubic_array},
+    {"sheared-lattice", "sheared-lattice", "cubic lattice of free spheres in shear", sheared_lattice},
 };
 
 }  // namespace

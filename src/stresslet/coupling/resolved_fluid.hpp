@@ -53,6 +53,9 @@ class ResolvedFluid : private FluidOf<D3Q19, double> {
   /// After `prepare`: friction of spheres that share cells, one entry per pair of images, lumped at its centroid.
   const std::vector<PointFriction>& friction() const { return friction_; }
 
+  /// After `prepare`: which cells the spheres cover.
+  const CoveredRuns& covered() const { return covered_; }
+
  private:
   void find_friction();
 

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "../program.hpp"
@@ -32,7 +33,11 @@ std::vector<std::string> all_ids() {
 }
 
 INSTANTIATE_TEST_SUITE_P(Cases, ValidateQuick, ::testing::ValuesIn(all_ids()),
-                         [](const auto& test) { return test.param; });
+                         [](const auto& test) {
+                           std::string name = test.param;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
 
 TEST(Validate, ListShowsEveryCase) {
   const Outcome outcome = stresslet({"validate", "list"});

@@ -9,8 +9,8 @@ namespace stresslet {
 std::string input_reference_markdown() {
   return "# Input reference\n\n"
          "Generated from the code; a test keeps it current. An input is a TOML file. The key `fidelity`, above all "
-         "sections, chooses the kind of case: `\"lubricated\"` (suspensions, the default) or `\"fluid\"` (flow without "
-         "particles, [below](#fluid-cases)). Every other key belongs to a section; a key that nothing reads is an "
+         "sections, chooses the kind of case: `\"lubricated\"` (suspensions, the default), `\"resolved\"` (the same "
+         "suspensions with the fluid solved for) or `\"fluid\"` (flow without particles, [below](#fluid-cases)). Every other key belongs to a section; a key that nothing reads is an "
          "error.\n\n"
          "Any key can be overridden on the command line: `--set suspension.solid_fraction=0.55`, "
          "`--set model.name=NLM`. The value is TOML, or a bare text where it is none. `--set contact.stiffness=` "

@@ -145,7 +145,7 @@ TEST(FluidInput, MisspeltFidelityIsNoticed) {
 }
 
 TEST(FluidInput, AFluidCaseIsNoSuspension) {
-  EXPECT_THAT(complaint_of(std::string(channel)), HasSubstr("no case of the lubricated model"));
+  EXPECT_THAT(complaint_of(std::string(channel)), HasSubstr("no case of a suspension"));
 }
 
 TEST(FluidInput, ResolvedInputReadsBackToItself) {

@@ -69,7 +69,7 @@ TEST(LongResolvedSuspension, ShearedLatticeCutByTheFace) {
 TEST(ResolvedSuspension, ConservesMomentum) {
   const Case settled = std::get<Case>(read_any_case_text(
       "fidelity = \"resolved\"\n", "dense",
-      {"suspension.solid_fraction=0.45", "suspension.count=20", "suspension.sizes.law=monodisperse", "run.strain=1",
+      {"suspension.solid_fraction=0.45", "suspension.count=30", "suspension.sizes.law=monodisperse", "run.strain=1",
        "resolution.cells_per_diameter=8", "flow.boundary=periodic", "flow.reynolds=0.2"}));
   const Plan plan = make_plan(settled);
   Suspension s = make_suspension(settled, plan, {});

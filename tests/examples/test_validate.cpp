@@ -32,12 +32,11 @@ std::vector<std::string> all_ids() {
   return ids;
 }
 
-INSTANTIATE_TEST_SUITE_P(Cases, ValidateQuick, ::testing::ValuesIn(all_ids()),
-                         [](const auto& test) {
-                           std::string name = test.param;
-                           std::replace(name.begin(), name.end(), '-', '_');
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(Cases, ValidateQuick, ::testing::ValuesIn(all_ids()), [](const auto& test) {
+  std::string name = test.param;
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+});
 
 TEST(Validate, ListShowsEveryCase) {
   const Outcome outcome = stresslet({"validate", "list"});

@@ -38,8 +38,10 @@ void for_each_quantity(double strain, const Sample& m, double energy_rate, doubl
         m.dissipation_sliding);
   visit("dissipation_dashpot", "viscosity*shear_rate^2", "power lost in contact dashpots, per volume",
         m.dissipation_dashpot);
-  visit("dissipation_drag", "viscosity*shear_rate^2", "power lost to Stokes drag, per volume; in a resolved fluid, its dissipation less that of the mean flow "
-        "and the stresslet", m.dissipation_drag);
+  visit("dissipation_drag", "viscosity*shear_rate^2",
+        "power lost to Stokes drag, per volume; in a resolved fluid, its dissipation less that of the mean flow "
+        "and the stresslet",
+        m.dissipation_drag);
   visit("elastic_energy", "viscosity*shear_rate", "energy of the contacts, per volume", m.elastic_energy);
   visit("kinetic_energy", "viscosity*shear_rate", "kinetic energy relative to the mean flow, per volume",
         m.kinetic_energy);

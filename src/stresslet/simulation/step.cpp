@@ -103,8 +103,8 @@ Sample sample(const Suspension& s, ThreadTeam& team) {
   LubricationLaws::dispatch(s.physics.lubrication_law, [&](auto tag) {
     model.lubrication_sees_background = decltype(tag)::type::sees_background;
   });
-  Sample result = measure(
-      team, {s.box, s.state, synchronous, s.pairs, s.contacts, s.wall_contacts, s.lubrication, s.walls}, model);
+  Sample result =
+      measure(team, {s.box, s.state, synchronous, s.pairs, s.contacts, s.wall_contacts, s.lubrication, s.walls}, model);
   if (s.resolved) {
     result.stress.stresslet = s.resolved->stresslet(s.state, s.box, s.fluid_coupling);
     const double background = s.box.mean_gradient() * s.box.mean_gradient();

@@ -102,15 +102,16 @@ double ResolvedFlow::dissipation(ThreadTeam& team, const ParticleState& state, c
   const Cells& n = setup_.cells;
   std::vector<double> rows(std::size_t(n[1]) * std::size_t(n[2]));  // summed in order, whatever the threads
   fluid_.measure(team, {0, 0, 0}, {n[0] - 1, n[1] - 1, n[2] - 1}, {1, 1, 1}, [&](const Cells& c, const CellState& s) {
-    rows[std::size_t(c[1]) + std::size_t(n[1]) * std::size_t(c[2])] += 2 * double_contraction(s.strain_rate, s.strain_rate);
+    rows[std::size_t(c[1]) + std::size_t(n[1]) * std::size_t(c[2])] +=
+        2 * double_contraction(s.strain_rate, s.strain_rate);
   });
   double sum = 0;
   for (const double row : rows) sum += row;
   double rubbed = 0;
   for (const PointFriction& f : coupling.friction()) {
     const std::size_t i = std::size_t(f.first), j = std::size_t(f.second);
-    const Vec3<double> force = f.force({state.velocity(i), state.angular_velocity(i)},
-                                       {state.velocity(j), state.angular_velocity(j)}, true);
+    const Vec3<double> force =
+        f.force({state.velocity(i), state.angular_velocity(i)}, {state.velocity(j), state.angular_velocity(j)}, true);
     rubbed += dot(force, force) / f.coefficient;
   }
   return sum / (step_ * step_ * cells()) + rubbed / box.volume();

@@ -73,8 +73,7 @@ void ResolvedFlow::settle() {
   for (const PointFriction& f : fluid_.friction()) {
     const ResolvedSphere &one = solids_[std::size_t(f.first)], &two = solids_[std::size_t(f.second)];
     const Vec3<double> on_first =
-        f.coefficient * (rigid_velocity(two.velocity, two.angular_velocity, f.arm_second) + f.jump -
-                         rigid_velocity(one.velocity, one.angular_velocity, f.arm_first));
+        f.force({one.velocity, one.angular_velocity}, {two.velocity, two.angular_velocity}, true);
     const auto add = [](HydrodynamicLoad& load, const Vec3<double>& force, const Vec3<double>& arm) {
       load.force += force;
       load.torque += cross(arm, force);

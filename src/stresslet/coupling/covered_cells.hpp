@@ -17,7 +17,8 @@ struct ReportedCell {
   Vec3<double> velocity;  ///< u* in the sphere's own frame
 };
 
-/// After `map`, with the incoming populations as `gather_exchange` reads them; a cell comes once per image in it.
+/// After `fill_drags` of all runs, with the incoming populations as `gather_exchange` reads them; a cell comes once per
+/// image in it.
 void for_each_covered_cell(const Lattice<D3Q19, double>& lattice, const CoveredRuns& covered,
                            const std::function<void(const ReportedCell&)>& visit);
 

@@ -18,6 +18,14 @@ struct ExchangeSums {
   Vec3<double> momentum{};                     ///< sum m u*
   std::array<Vec3<double>, 3> momentum_arm{};  ///< [a]: sum m u*_a r
   SymTensor3<double> kinetic{};                ///< sum of the kinetic stress (operators/kinetic_stress.hpp)
+
+  /// sum m (r.r - r r), the resistance to rotation.
+  SymTensor3<double> rotational() const { return trace(second) * identity3<double>() - second; }
+  /// sum r x m u*.
+  Vec3<double> angular_momentum() const {
+    const auto& m = momentum_arm;
+    return {m[2].y - m[1].z, m[0].z - m[2].x, m[1].x - m[0].y};
+  }
 };
 
 /// The part of one run of cells along x, where the arm's y and z are the same all along.

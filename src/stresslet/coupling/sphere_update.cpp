@@ -47,9 +47,7 @@ double product(const std::vector<Vector6>& a, const std::vector<Vector6>& b) {
 }  // namespace
 
 SphereSystem sphere_system(const ExchangeSums& s, const SphereInertia& inertia, const ResolvedSphere& before) {
-  const SymTensor3<double> arm =
-      (trace(s.second) + inertia.moment_of_inertia) * identity3<double>() - s.second;  // of the whole left side
-  const auto& m = s.momentum_arm;
+  const SymTensor3<double> arm = s.rotational() + inertia.moment_of_inertia * identity3<double>();
   const double whole = inertia.mass + s.mass;
   const Vec3<double>& f = s.first;
   SphereSystem system;
@@ -60,8 +58,7 @@ SphereSystem sphere_system(const ExchangeSums& s, const SphereInertia& inertia, 
       f.z, 0, -f.x, arm.xy, arm.yy, arm.yz,    //
       -f.y, f.x, 0, arm.xz, arm.yz, arm.zz;
   system.right = stacked(inertia.mass * before.velocity + s.momentum + inertia.force,
-                         inertia.moment_of_inertia * before.angular_velocity + inertia.torque +
-                             Vec3<double>{m[2].y - m[1].z, m[0].z - m[2].x, m[1].x - m[0].y});
+                         inertia.moment_of_inertia * before.angular_velocity + inertia.torque + s.angular_momentum());
   return system;
 }
 

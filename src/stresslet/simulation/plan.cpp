@@ -135,8 +135,8 @@ double Plan::expected_seconds(double strain) const {
   const double work = steps(strain) * double(count());
   const double speed_up = threads > 1 ? 0.8 * threads : 1.0;
   if (resolved) {
-    const double cells = double(resolved->cells[0]) * resolved->cells[1] * resolved->cells[2];
-    return steps(strain) * (cells * (1 + 4 * solid_fraction) / 4.5e7 + 2e-6 * double(count())) / speed_up;
+    return steps(strain) * (resolved->cell_count() * (1 + 4 * solid_fraction) / 4.5e7 + 2e-6 * double(count())) /
+           speed_up;
   }
   if (time.scheme == "explicit") return work / (1.6e7 * (1.2 - solid_fraction) * speed_up);
   const double iterations = 3 + 0.8 * rough_viscosity(std::min(solid_fraction, 0.62), physics.contact.friction);

@@ -64,12 +64,11 @@ std::string summary_json(const Case& settled, const Plan& plan, const Series& se
   j["seconds_per_unit_strain"] = strain.back() > 0 ? cost.wall_seconds / strain.back() : 0.0;
   if (plan.resolved) {
     const ResolvedSetup& r = *plan.resolved;
-    const double cells = double(r.cells[0]) * r.cells[1] * r.cells[2];
     j["relaxation_time"] = r.rates.relaxation_time;
     j["reynolds_number"] = r.reynolds;
     j["cells_per_diameter"] = 1 / r.cell;
     j["lattice_updates_per_second"] =
-        cost.wall_seconds > 0 ? cost.particle_steps / double(plan.count()) * cells / cost.wall_seconds : 0.0;
+        cost.wall_seconds > 0 ? cost.particle_steps / double(plan.count()) * r.cell_count() / cost.wall_seconds : 0.0;
   }
   return j.dump(2) + "\n";
 }

@@ -56,11 +56,8 @@ void ResolvedFlow::prepare(Member& member, const ParticleState& state, const Box
   const double rate = mass_unit_ / step_, length = setup_.cell, velocity = length / step_;
   for (std::size_t i = mine.begin; i < mine.end; ++i) {
     const ExchangeSums& s = fluid_.exchange(i);
-    const auto& m = s.momentum_arm;
-    coupling.resistance[i] = {rate * s.mass, rate * length * s.first,
-                              rate * length * length * (trace(s.second) * identity3<double>() - s.second)};
-    coupling.push[i] = {rate * velocity * s.momentum,
-                        rate * velocity * length * Vec3<double>{m[2].y - m[1].z, m[0].z - m[2].x, m[1].x - m[0].y}};
+    coupling.resistance[i] = {rate * s.mass, rate * length * s.first, rate * length * length * s.rotational()};
+    coupling.push[i] = {rate * velocity * s.momentum, rate * velocity * length * s.angular_momentum()};
   }
   if (member.rank() == 0) {
     std::vector<PointFriction> friction = fluid_.friction();
@@ -114,7 +111,7 @@ double ResolvedFlow::dissipation(ThreadTeam& team, const ParticleState& state, c
         f.force({state.velocity(i), state.angular_velocity(i)}, {state.velocity(j), state.angular_velocity(j)}, true);
     rubbed += dot(force, force) / f.coefficient;
   }
-  return sum / (step_ * step_ * cells()) + rubbed / box.volume();
+  return sum / (step_ * step_ * setup_.cell_count()) + rubbed / box.volume();
 }
 
 void ResolvedFlow::restore(ThreadTeam& team, const std::vector<double>& populations, std::int64_t steps,

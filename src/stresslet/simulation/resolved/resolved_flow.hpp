@@ -27,6 +27,7 @@ struct ResolvedSetup {
   std::optional<SubgridCorrection> correction;  ///< lengths in cells
   bool sheared = true;
 
+  double cell_count() const { return double(cells[0]) * cells[1] * cells[2]; }
   double step() const { return kinematic_viscosity_lu(rates.relaxation_time) * cell * cell * reynolds; }
   /// Of the fastest fluid in a sheared box, at the faces across y.
   double mach() const;
@@ -58,7 +59,6 @@ class ResolvedFlow {
   void restore(ThreadTeam& team, const std::vector<double>& populations, std::int64_t steps, double offset);
 
   const ResolvedSetup& setup() const { return setup_; }
-  double cells() const { return double(setup_.cells[0]) * setup_.cells[1] * setup_.cells[2]; }
 
  private:
   ResolvedSetup setup_;

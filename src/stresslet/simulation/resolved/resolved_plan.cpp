@@ -41,7 +41,7 @@ void check_flow(const Case& c, const ResolvedSetup& s) {
   const ResolutionInput& r = *c.resolution;
   if (s.mach() <= r.largest_mach) return;
   const double factor = r.largest_mach / s.mach();
-  refuse(c.where(c.resolution ? "resolution.relaxation_time" : "flow.reynolds"),
+  refuse(c.where("resolution.relaxation_time"),
          fmt::format("the Mach number of the mean flow would be {:.3g}, above the largest allowed one, {:.3g}",
                      s.mach(), r.largest_mach),
          fmt::format("Re = {:.4g}, relaxation time {:.4g} and {:.3g} cells per diameter fix it; the fluid would be "

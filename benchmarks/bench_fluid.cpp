@@ -1,13 +1,14 @@
-/// Rates of the fluid's time step beside what the memory of this machine can do, in one run: every round measures each
-/// line once, and a line's ratio to a probe is the median over rounds of the ratio within a round, so that a machine
-/// that slows down meanwhile slows both.
+/// Rates of the fluid's time step beside what the memory of this machine can do, in one run. Where other work shares
+/// the memory its rate wanders within seconds, so every measurement is short (some 0.2 s) and stands between its own
+/// two probes; a ratio is the median over rounds of the ratio of neighbours, printed with its quartiles.
 ///
-/// usage: bench_fluid [cells along an edge, default 200] [rounds, default 9]
+/// usage: bench_fluid [cells along an edge, default 200] [rounds, default 25]
 /// Probes, arrays of 4 GiB: (a) one array read and written in place, (b) 19 streams read and written in place, as rates
 /// of cells at 304 bytes each.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <functional>
 #include <string>
@@ -27,13 +28,16 @@ constexpr std::size_t streams = 19;
 
 struct Line {
   std::string name;
+  ThreadTeam& team;
   std::function<double()> rate;  ///< cells a second
-  std::vector<double> found{};
+  std::vector<double> found{}, to_probe_a{}, to_probe_b{};
 };
 
-double median(std::vector<double> values) {
+/// Lower quartile, median, upper quartile.
+std::array<double, 3> quartiles(std::vector<double> values) {
   std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
+  const auto at = [&](double share) { return values[std::size_t(share * double(values.size() - 1) + 0.5)]; };
+  return {at(0.25), at(0.5), at(0.75)};
 }
 
 /// Rate of reading and writing `count` streams of `length` doubles each in place, a cache line of each in turn.
@@ -67,7 +71,7 @@ class PeriodicBox {
     fluid_->advance(team_, 2);
   }
   double rate() {
-    constexpr int steps = 6;
+    constexpr int steps = 2;
     const Timer timer;
     fluid_->advance(team_, steps);
     return cells_ * steps / timer.seconds();
@@ -87,41 +91,38 @@ void run(int edge, int rounds) {
   PeriodicBox bgk(edge, "BGK", false, 1, 2), trt(edge, "TRT", false, 1, 2), mrt(edge, "MRT", false, 1, 2);
   PeriodicBox bgk_one(edge, "BGK", false, 1, 1), trt_one(edge, "TRT", false, 1, 1);
   PeriodicBox single(edge, "BGK", true, 1, 2), blocks(edge, "BGK", false, 2, 2);
-  constexpr std::size_t single_thread = 7;  // from this line on; the first lines of each part are what others refer to
   std::vector<Line> lines{
-      {"probe a, 2 threads", [&] { return probe(two, memory.data(), 1, memory.size()); }},
-      {"probe b, 2 threads", [&] { return probe(two, memory.data(), streams, stream); }},
-      {"BGK FP64, 2 threads", [&] { return bgk.rate(); }},
-      {"TRT FP64, 2 threads", [&] { return trt.rate(); }},
-      {"MRT FP64, 2 threads", [&] { return mrt.rate(); }},
-      {"BGK FP64, 8 blocks", [&] { return blocks.rate(); }},
-      {"BGK FP32, 2 threads", [&] { return single.rate(); }},
-      {"probe a, 1 thread", [&] { return probe(one, memory.data(), 1, memory.size()); }},
-      {"probe b, 1 thread", [&] { return probe(one, memory.data(), streams, stream); }},
-      {"BGK FP64, 1 thread", [&] { return bgk_one.rate(); }},
-      {"TRT FP64, 1 thread", [&] { return trt_one.rate(); }},
+      {"BGK FP64, 2 threads", two, [&] { return bgk.rate(); }},
+      {"TRT FP64, 2 threads", two, [&] { return trt.rate(); }},
+      {"MRT FP64, 2 threads", two, [&] { return mrt.rate(); }},
+      {"BGK FP64, 8 blocks", two, [&] { return blocks.rate(); }},
+      {"BGK FP32, 2 threads", two, [&] { return single.rate(); }},
+      {"BGK FP64, 1 thread", one, [&] { return bgk_one.rate(); }},
+      {"TRT FP64, 1 thread", one, [&] { return trt_one.rate(); }},
   };
   for (int round = 0; round <= rounds; ++round)
     for (Line& line : lines) {
+      const double a = probe(line.team, memory.data(), 1, memory.size());
       const double rate = line.rate();
-      if (round > 0) line.found.push_back(rate);  // the first round touches memory
+      const double b = probe(line.team, memory.data(), streams, stream);
+      if (round == 0) continue;  // touches the memory
+      line.found.push_back(rate);
+      line.to_probe_a.push_back(rate / a);
+      line.to_probe_b.push_back(rate / b);
     }
-  const auto ratio = [&](const Line& line, std::size_t reference) {
-    std::vector<double> ratios;
-    for (std::size_t k = 0; k < line.found.size(); ++k) ratios.push_back(line.found[k] / lines[reference].found[k]);
-    return median(ratios);
-  };
+  const double reference = quartiles(lines[0].to_probe_a)[1];
   fmt::print("{} cells cubed, {} rounds; D3Q19; {:.1f} bytes per cell FP64, {:.1f} FP32\n", edge, rounds,
              bgk.bytes_per_cell(), single.bytes_per_cell());
-  fmt::print("{:<22}{:>12}{:>12}{:>14}{:>14}{:>16}\n", "", "best MLUPS", "median", "/ probe a", "/ probe b",
-             "/ BGK FP64");
-  for (std::size_t k = 0; k < lines.size(); ++k) {
-    const Line& line = lines[k];
-    const std::size_t first = k < single_thread ? 0 : single_thread;
-    fmt::print("{:<22}{:>12.1f}{:>12.1f}{:>14.2f}{:>14.2f}{:>16.2f}\n", line.name,
-               1e-6 * *std::max_element(line.found.begin(), line.found.end()), 1e-6 * median(line.found),
-               ratio(line, first), ratio(line, first + 1), ratio(line, first + 2));
-  }
+  fmt::print("{:<22}{:>12}{:>10}{:>22}{:>22}{:>12}\n", "", "best MLUPS", "median", "/ probe a", "/ probe b",
+             "/ first line");
+  const auto text = [](const std::vector<double>& ratios) {
+    const auto [lower, middle, upper] = quartiles(ratios);
+    return fmt::format("{:.2f} ({:.2f}-{:.2f})", middle, lower, upper);
+  };
+  for (const Line& line : lines)
+    fmt::print("{:<22}{:>12.1f}{:>10.1f}{:>22}{:>22}{:>12.2f}\n", line.name,
+               1e-6 * *std::max_element(line.found.begin(), line.found.end()), 1e-6 * quartiles(line.found)[1],
+               text(line.to_probe_a), text(line.to_probe_b), quartiles(line.to_probe_a)[1] / reference);
 }
 
 }  // namespace
@@ -131,5 +132,5 @@ int main(int argc, char** argv) {
   const auto argument = [&](int k, int otherwise) {
     return argc > k && argv[k][0] != '-' ? std::atoi(argv[k]) : otherwise;
   };
-  stresslet::run(argument(1, 200), argument(2, 9));
+  stresslet::run(argument(1, 200), argument(2, 25));
 }

@@ -13,4 +13,18 @@ template <int count, class Body>
   (std::make_integer_sequence<int, count>{});
 }
 
+/// term(first) + ... + term(last - 1), summed as a balanced tree: shorter chains of dependent additions than one after
+/// the other. `term` is called with integral constants; [first, last) must not be empty.
+template <int first, int last, class Term>
+[[gnu::always_inline]] constexpr auto tree_sum(Term&& term) {
+  if constexpr (last - first == 1) {
+    return term(std::integral_constant<int, first>{});
+  } else {
+    constexpr int middle = (first + last) / 2;
+    auto sum = tree_sum<first, middle>(term);
+    sum += tree_sum<middle, last>(term);
+    return sum;
+  }
+}
+
 }  // namespace stresslet

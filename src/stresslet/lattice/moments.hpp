@@ -8,6 +8,7 @@
 /// Equilibrium, second order in the velocity (Qian, d'Humieres & Lallemand, Europhys. Lett. 17 (1992) 479):
 ///   feq_i = w_i [rho + rho (3 c.u + 9/2 (c.u)^2 - 3/2 u^2)],   speed of sound squared 1/3.
 #include <array>
+#include <utility>
 
 #include "stresslet/base/unroll.hpp"
 #include "stresslet/base/value.hpp"
@@ -51,10 +52,25 @@ template <class Stencil, int i, class R>
 }
 
 /// The populations of one cell, as the rest population and pairs.
-template <class Stencil, class R>
+///
+/// Functions of populations take whatever has these four members, so that a kernel may leave populations in memory
+/// until a pair is needed: nineteen packs do not fit the registers.
+template <class Stencil_, class R>
 struct CellPopulations {
+  using Stencil = Stencil_;
   R rest;
   std::array<EvenOdd<R>, Stencil::pairs> pair;
+
+  [[gnu::always_inline]] const R& read_rest() const { return rest; }
+  template <int k>
+  [[gnu::always_inline]] const EvenOdd<R>& read() const {
+    return pair[k];
+  }
+  [[gnu::always_inline]] void write_rest(const R& value) { rest = value; }
+  template <int k>
+  [[gnu::always_inline]] void write(const EvenOdd<R>& value) {
+    pair[k] = value;
+  }
 };
 
 /// Density over the rest state, and momentum density.
@@ -66,20 +82,44 @@ struct Moments {
   R density() const { return as<R>(1) + density_deviation; }
 };
 
-template <class Stencil, class R>
-[[gnu::always_inline]] inline Moments<R> moments_of(const CellPopulations<Stencil, R>& f) {
-  Moments<R> m{f.rest, {as<R>(0), as<R>(0), as<R>(0)}};
-  unroll<Stencil::pairs>([&](auto k) __attribute__((always_inline)) {
-    constexpr auto c = Stencil::velocity[first_of_pair(k)];
-    const auto& [even, odd] = f.pair[k];
-    m.density_deviation += even;
-    if constexpr (c[0] > 0) m.momentum.x += odd;
-    if constexpr (c[1] > 0) m.momentum.y += odd;
-    if constexpr (c[1] < 0) m.momentum.y -= odd;
-    if constexpr (c[2] > 0) m.momentum.z += odd;
-    if constexpr (c[2] < 0) m.momentum.z -= odd;
+/// The pairs whose first population moves along `axis` in the direction of `sign`.
+template <class Stencil, int axis, int sign>
+struct PairsAlong {
+  static constexpr auto found = [] {
+    std::pair<std::array<int, Stencil::pairs>, int> list{};
+    for (int k = 0; k < Stencil::pairs; ++k)
+      if (Stencil::velocity[first_of_pair(k)][axis] == sign) list.first[list.second++] = k;
+    return list;
+  }();
+  static constexpr int count = found.second;
+  static constexpr int pair(int n) { return found.first[n]; }
+};
+
+/// Component `axis` of sum f c.
+template <int axis, class Populations>
+[[gnu::always_inline]] inline auto momentum_along(const Populations& f) {
+  using Stencil = typename Populations::Stencil;
+  using Forwards = PairsAlong<Stencil, axis, 1>;
+  using Backwards = PairsAlong<Stencil, axis, -1>;
+  auto sum = tree_sum<0, Forwards::count>([&](auto n) __attribute__((always_inline)) {
+    return f.template read<Forwards::pair(n)>().odd;
   });
-  return m;
+  if constexpr (Backwards::count > 0)
+    sum -= tree_sum<0, Backwards::count>([&](auto n) __attribute__((always_inline)) {
+      return f.template read<Backwards::pair(n)>().odd;
+    });
+  return sum;
+}
+
+template <class Populations>
+[[gnu::always_inline]] inline auto moments_of(const Populations& f) {
+  using Stencil = typename Populations::Stencil;
+  auto moving =
+      tree_sum<0, Stencil::pairs>([&](auto k) __attribute__((always_inline)) { return f.template read<k>().even; });
+  using R = decltype(moving);
+  R z = as<R>(0);
+  if constexpr (Stencil::dimensions == 3) z = momentum_along<2>(f);
+  return Moments<R>{f.read_rest() + moving, {momentum_along<0>(f), momentum_along<1>(f), z}};
 }
 
 /// sum g c c over all populations; of deviations from the rest state, where g are populations.

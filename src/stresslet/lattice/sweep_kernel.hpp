@@ -1,6 +1,8 @@
 #pragma once
 /// The body of the kernel of sweep.hpp, instantiated in one source file per stencil and precision (sweep_*.cpp): each
 /// holds every pair of a collision and a forcing law and takes its minute to compile.
+#include <bit>
+
 #include "stresslet/exec/simd.hpp"
 #include "stresslet/lattice/collide.hpp"
 #include "stresslet/lattice/laws.hpp"
@@ -13,6 +15,52 @@ constexpr std::ptrdiff_t prefetch_distance = 256;
 
 template <class Stencil, class T>
 using Sources = std::array<T*, Stencil::size>;
+
+/// The incoming populations of one pack of cells where they lie in memory; outgoing ones replace them there, of a
+/// `partial` pack only those of its first `cells`. Every place belongs to one cell (populations.hpp), so a pair may be
+/// read again until it is written.
+template <class Stencil_, class T, bool partial>
+class PackInPlace {
+ public:
+  using Stencil = Stencil_;
+  using R = PackOf<T>;
+
+  [[gnu::always_inline]] PackInPlace(const Sources<Stencil, T>& source, std::ptrdiff_t x, std::ptrdiff_t cells)
+      : source_(source), x_(x), cells_(cells) {}
+
+  [[gnu::always_inline]] R read_rest() const { return load(0); }
+  template <int k>
+  [[gnu::always_inline]] EvenOdd<R> read() const {
+    const R along = load(first_of_pair(k)), against = load(first_of_pair(k) + 1);
+    return {along + against, along - against};
+  }
+  [[gnu::always_inline]] void write_rest(const R& value) { store(0, value); }
+  template <int k>
+  [[gnu::always_inline]] void write(const EvenOdd<R>& value) {
+    const R half_even = as<R>(0.5) * value.even, half_odd = as<R>(0.5) * value.odd;
+    store(first_of_pair(k) + 1, half_even + half_odd);
+    store(first_of_pair(k), half_even - half_odd);
+  }
+
+ private:
+  // Without these the compiler takes the way through memory from a load to a register.
+  typedef T Register __attribute__((vector_size(sizeof(R))));
+  typedef T Unaligned __attribute__((vector_size(sizeof(R)), aligned(sizeof(T)), may_alias));
+
+  [[gnu::always_inline]] R load(int i) const {
+    return std::bit_cast<R>(Register(*reinterpret_cast<const Unaligned*>(source_[i] + x_)));
+  }
+  [[gnu::always_inline]] void store(int i, const R& value) const {
+    T* const place = source_[i] + x_;
+    if constexpr (partial)
+      stdx::where(R([](auto lane) { return T(lane); }) < R(T(cells_)), value).copy_to(place, stdx::element_aligned);
+    else
+      *reinterpret_cast<Unaligned*>(place) = std::bit_cast<Register>(value);
+  }
+
+  const Sources<Stencil, T>& source_;
+  std::ptrdiff_t x_, cells_;
+};
 
 /// Steps one row of cells, pack by pack.
 template <class Stencil, class T, class Collision, class Forcing>
@@ -35,32 +83,22 @@ class RowSweep {
 
   /// Asks for the line ahead of cell `x` of every population.
   [[gnu::always_inline]] void prefetch(std::ptrdiff_t x) const {
-    for (int i = 0; i < Stencil::size; ++i)
+    unroll<Stencil::size>([&](auto i) __attribute__((always_inline)) {
       __builtin_prefetch(reinterpret_cast<const char*>(source_[i] + x) + prefetch_distance, 1);
+    });
   }
 
   /// Steps the cells [x, x + width), or only the first `cells` of them, with `collide_cells(f, rates, force)`.
   template <class Collide>
   [[gnu::always_inline]] void step(std::ptrdiff_t x, std::ptrdiff_t cells, Collide&& collide_cells) const {
-    const auto load = [&](int i) __attribute__((always_inline)) { return R(source_[i] + x, stdx::element_aligned); };
-    CellPopulations<Stencil, R> f;
-    f.rest = load(0);
-    unroll<Stencil::pairs>([&](auto k) __attribute__((always_inline)) {
-      const R along = load(first_of_pair(k)), against = load(first_of_pair(k) + 1);
-      f.pair[k] = {along + against, along - against};
-    });
     Rates rates = rates_;
-    collide_cells(f, rates, force_);
-    if (cells >= width)
-      store_all(
-          f, [&](int i, const R& value)
-                 __attribute__((always_inline)) { value.copy_to(source_[i] + x, stdx::element_aligned); });
-    else
-      store_all(
-          f, [&](int i, const R& value) __attribute__((always_inline)) {
-            const typename R::mask_type inside = R([](auto lane) { return T(lane); }) < R(T(cells));
-            stdx::where(inside, value).copy_to(source_[i] + x, stdx::element_aligned);
-          });
+    if (cells >= width) {
+      PackInPlace<Stencil, T, false> f(source_, x, cells);
+      collide_cells(f, rates, force_);
+    } else {
+      PackInPlace<Stencil, T, true> f(source_, x, cells);
+      collide_cells(f, rates, force_);
+    }
   }
   [[gnu::always_inline]] void step(std::ptrdiff_t x, std::ptrdiff_t cells) const {
     step(
@@ -70,16 +108,6 @@ class RowSweep {
   }
 
  private:
-  template <class Store>
-  [[gnu::always_inline]] static void store_all(const CellPopulations<Stencil, R>& f, Store&& store) {
-    const R half = as<R>(0.5);
-    store(0, f.rest);
-    unroll<Stencil::pairs>([&](auto k) __attribute__((always_inline)) {
-      store(first_of_pair(k) + 1, half * (f.pair[k].even + f.pair[k].odd));
-      store(first_of_pair(k), half * (f.pair[k].even - f.pair[k].odd));
-    });
-  }
-
   Rates rates_;
   BodyForce<R> force_;
   Sources<Stencil, T> source_{};

@@ -17,10 +17,10 @@ struct GuoForm {
   static constexpr double kinetic_stress_factor = 0;
   static constexpr double largest_weight = 2;
 
-  template <class Collision, class Forcing, class Stencil, class R>
-  [[gnu::always_inline]] static Vec3<R> collide(CellPopulations<Stencil, R>& f,
-                                                typename Collision::template Cell<Stencil, R>& rates,
-                                                const BodyForce<R>& force, const CoveredCell<R>& solid) {
+  template <class Collision, class Forcing, class Populations, class R>
+  [[gnu::always_inline]] static Vec3<R> collide(
+      Populations& f, typename Collision::template Cell<typename Populations::Stencil, R>& rates,
+      const BodyForce<R>& force, const CoveredCell<R>& solid) {
     const Moments<R> m = moments_of(f);
     const Vec3<R> given = solid.weight * (m.density() * solid.velocity - m.momentum - as<R>(0.5) * force.density);
     stresslet::collide<Collision, Guo>(f, rates, BodyForce<R>{force.density + given, force.odd_rate});

@@ -28,8 +28,8 @@ namespace stresslet {
 template <class Stencil, class R>
 class SolidContrast {
  public:
-  [[gnu::always_inline]] SolidContrast(const CellPopulations<Stencil, R>& f, const BodyForce<R>& force,
-                                       const CoveredCell<R>& solid) {
+  template <class Populations>
+  [[gnu::always_inline]] SolidContrast(const Populations& f, const BodyForce<R>& force, const CoveredCell<R>& solid) {
     const Moments<R> m = moments_of(f);
     const R density = m.density();
     const Vec3<R> fluid_velocity = (m.momentum + as<R>(0.5) * force.density) / density;

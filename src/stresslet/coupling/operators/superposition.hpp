@@ -18,11 +18,12 @@ struct Superposition {
   static constexpr double kinetic_stress_factor = 0;
   static constexpr double largest_weight = 2;
 
-  template <class Collision, class Forcing, class Stencil, class R>
-  [[gnu::always_inline]] static Vec3<R> collide(CellPopulations<Stencil, R>& f,
-                                                typename Collision::template Cell<Stencil, R>& rates,
-                                                const BodyForce<R>& force, const CoveredCell<R>& solid) {
-    const Finish<Stencil, R> finish{SolidContrast<Stencil, R>(f, force, solid), solid.weight};
+  template <class Collision, class Forcing, class Populations, class R>
+  [[gnu::always_inline]] static Vec3<R> collide(
+      Populations& f, typename Collision::template Cell<typename Populations::Stencil, R>& rates,
+      const BodyForce<R>& force, const CoveredCell<R>& solid) {
+    const Finish<typename Populations::Stencil, R> finish{
+        SolidContrast<typename Populations::Stencil, R>(f, force, solid), solid.weight};
     stresslet::collide<Collision, Forcing>(f, rates, force, finish);
     return solid.weight * finish.contrast.momentum();
   }

@@ -63,7 +63,7 @@ void resolved_sweep(const Lattice<Stencil, double>& lattice, int block, const Co
   const BlockLayout& layout = populations.layout();
   const int nx = layout.size()[0], ny = layout.size()[1];
   SolidRow solid(nx);
-  RowSweep<Stencil, double, Collision, Forcing> fluid(lattice.input);
+  RowSweep<Stencil, double, Collision, Forcing> fluid(populations, lattice.arrangement, lattice.input);
   for (std::size_t row = first; row < last; ++row) {
     const Range runs = covered.runs_of_row(block, row);
     for (std::size_t k = runs.begin; k < runs.end; ++k) {
@@ -71,7 +71,7 @@ void resolved_sweep(const Lattice<Stencil, double>& lattice, int block, const Co
       const SphereImage& image = covered.images()[std::size_t(run.image)];
       solid.add(run, covered.drag(run), image, spheres[std::size_t(image.sphere)]);
     }
-    fluid.start(populations, lattice.arrangement, layout.index(0, int(row) % ny, int(row) / ny));
+    fluid.start(layout.index(0, int(row) % ny, int(row) / ny));
     for (int x = 0; x < nx; x += width) {
       if (x % fluid.line == 0) fluid.prefetch(x);
       if (runs.begin < runs.end && solid.is_covered(x))

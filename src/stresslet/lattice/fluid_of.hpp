@@ -24,7 +24,7 @@ class FluidOf : public Fluid {
  public:
   explicit FluidOf(const FluidSetup& setup)
       : lattice_(setup.grid),
-        boundaries_(make_boundaries<Stencil, T>(setup)),
+        boundaries_(make_boundaries<Stencil, T>(setup, lattice_)),
         sweep_(sweep_for<Stencil, T>(setup.collision, setup.forcing)),
         solid_(setup.solid) {
     CollisionLaws::dispatch(setup.collision,
@@ -54,7 +54,7 @@ class FluidOf : public Fluid {
           populations_of<Stencil>(is_solid(global) ? CellState{} : state(global), lattice_.input.rates, force);
       for (int i = 0; i < Stencil::size; ++i) block.populations.slot(i)[index] = T(f[i]);
     });
-    for (const auto& boundary : boundaries_) boundary->initialise(lattice_);
+    for (const auto& boundary : boundaries_.others) boundary->initialise(lattice_);
   }
 
   void advance(ThreadTeam& team, int steps) override {
@@ -114,7 +114,7 @@ class FluidOf : public Fluid {
         all[std::size_t(i) * cells + cell_number(global)] = block.populations.source(i, lattice_.arrangement)[index];
     });
     double* at = all.data() + cells * Stencil::size;
-    for (const auto& boundary : boundaries_) {
+    for (const auto& boundary : boundaries_.others) {
       boundary->save(lattice_, at);
       at += boundary->kept();
     }
@@ -132,7 +132,7 @@ class FluidOf : public Fluid {
         block.populations.slot(i)[index] = T(all[std::size_t(i) * cells + cell_number(global)]);
     });
     const double* at = all.data() + cells * Stencil::size;
-    for (const auto& boundary : boundaries_) {
+    for (const auto& boundary : boundaries_.others) {
       boundary->restore(lattice_, at);
       at += boundary->kept();
     }
@@ -154,7 +154,7 @@ class FluidOf : public Fluid {
   }
   std::size_t kept() const {
     std::size_t sum = 0;
-    for (const auto& boundary : boundaries_) sum += boundary->kept();
+    for (const auto& boundary : boundaries_.others) sum += boundary->kept();
     return sum;
   }
   bool is_solid(const Cells& c) const { return !solid_.empty() && solid_[cell_number(c)]; }

@@ -71,6 +71,8 @@ template <class Stencil, class T>
 class Boundary {
  public:
   virtual ~Boundary() = default;
+  /// Whether a hook reads populations in the halo that another boundary has brought there.
+  virtual bool looks_across() const { return true; }
   /// Before every sweep: makes the populations that come in through this boundary.
   virtual void before_sweep(Lattice<Stencil, T>&, Member&) {}
   /// Once a step, between all `before_sweep` and the sweep: replaces populations for good.

@@ -25,8 +25,8 @@ class PackInPlace {
   using Stencil = Stencil_;
   using R = PackOf<T>;
 
-  [[gnu::always_inline]] PackInPlace(const Sources<Stencil, T>& source, std::ptrdiff_t x, std::ptrdiff_t cells)
-      : source_(source), x_(x), cells_(cells) {}
+  [[gnu::always_inline]] PackInPlace(const Sources<Stencil, T>& source, std::ptrdiff_t first, std::ptrdiff_t cells)
+      : source_(source), first_(first), cells_(cells) {}
 
   [[gnu::always_inline]] R read_rest() const { return load(0); }
   template <int k>
@@ -48,10 +48,10 @@ class PackInPlace {
   typedef T Unaligned __attribute__((vector_size(sizeof(R)), aligned(sizeof(T)), may_alias));
 
   [[gnu::always_inline]] R load(int i) const {
-    return std::bit_cast<R>(Register(*reinterpret_cast<const Unaligned*>(source_[i] + x_)));
+    return std::bit_cast<R>(Register(*reinterpret_cast<const Unaligned*>(source_[i] + first_)));
   }
   [[gnu::always_inline]] void store(int i, const R& value) const {
-    T* const place = source_[i] + x_;
+    T* const place = source_[i] + first_;
     if constexpr (partial)
       stdx::where(R([](auto lane) { return T(lane); }) < R(T(cells_)), value).copy_to(place, stdx::element_aligned);
     else
@@ -59,10 +59,10 @@ class PackInPlace {
   }
 
   const Sources<Stencil, T>& source_;
-  std::ptrdiff_t x_, cells_;
+  std::ptrdiff_t first_, cells_;
 };
 
-/// Steps one row of cells, pack by pack.
+/// Steps rows of cells, pack by pack.
 template <class Stencil, class T, class Collision, class Forcing>
 class RowSweep {
  public:
@@ -70,21 +70,21 @@ class RowSweep {
   using Rates = typename Collision::template Cell<Stencil, R>;
   static constexpr std::ptrdiff_t width = R::size(), line = cache_line / sizeof(T);
 
-  [[gnu::always_inline]] explicit RowSweep(const SweepInput& input)
+  [[gnu::always_inline]] RowSweep(const Populations<Stencil, T>& populations, Arrangement arrangement,
+                                  const SweepInput& input)
       : rates_(input.rates),
         force_{{as<R>(input.force_density.x), as<R>(input.force_density.y), as<R>(input.force_density.z)},
-               as<R>(input.rates.odd)} {}
-
-  /// `start` is the index of the row's first cell.
-  [[gnu::always_inline]] void start(const Populations<Stencil, T>& populations, Arrangement arrangement,
-                                    std::size_t start) {
-    for (int i = 0; i < Stencil::size; ++i) source_[i] = populations.source(i, arrangement) + start;
+               as<R>(input.rates.odd)} {
+    for (int i = 0; i < Stencil::size; ++i) source_[i] = populations.source(i, arrangement);
   }
+
+  /// `first` is the index of the row's first cell.
+  [[gnu::always_inline]] void start(std::size_t first) { row_ = std::ptrdiff_t(first); }
 
   /// Asks for the line ahead of cell `x` of every population.
   [[gnu::always_inline]] void prefetch(std::ptrdiff_t x) const {
     unroll<Stencil::size>([&](auto i) __attribute__((always_inline)) {
-      __builtin_prefetch(reinterpret_cast<const char*>(source_[i] + x) + prefetch_distance, 1);
+      __builtin_prefetch(reinterpret_cast<const char*>(source_[i] + row_ + x) + prefetch_distance, 1);
     });
   }
 
@@ -93,10 +93,10 @@ class RowSweep {
   [[gnu::always_inline]] void step(std::ptrdiff_t x, std::ptrdiff_t cells, Collide&& collide_cells) const {
     Rates rates = rates_;
     if (cells >= width) {
-      PackInPlace<Stencil, T, false> f(source_, x, cells);
+      PackInPlace<Stencil, T, false> f(source_, row_ + x, cells);
       collide_cells(f, rates, force_);
     } else {
-      PackInPlace<Stencil, T, true> f(source_, x, cells);
+      PackInPlace<Stencil, T, true> f(source_, row_ + x, cells);
       collide_cells(f, rates, force_);
     }
   }
@@ -110,7 +110,8 @@ class RowSweep {
  private:
   Rates rates_;
   BodyForce<R> force_;
-  Sources<Stencil, T> source_{};
+  Sources<Stencil, T> source_;
+  std::ptrdiff_t row_ = 0;
 };
 
 template <class Stencil, class T, class Collision, class Forcing>
@@ -118,12 +119,12 @@ void sweep(const Populations<Stencil, T>& populations, Arrangement arrangement, 
            std::size_t first, std::size_t last) {
   using Row = RowSweep<Stencil, T, Collision, Forcing>;
   constexpr std::ptrdiff_t width = Row::width, line = Row::line;
-  Row cells(input);
+  Row cells(populations, arrangement, input);
   const BlockLayout& layout = populations.layout();
   const std::ptrdiff_t nx = layout.size()[0];
-  const int ny = layout.size()[1];
+  const std::size_t ny = std::size_t(layout.size()[1]);
   for (std::size_t row = first; row < last; ++row) {
-    cells.start(populations, arrangement, layout.index(0, int(row % std::size_t(ny)), int(row / std::size_t(ny))));
+    cells.start(layout.index(0, int(row % ny), int(row / ny)));
     std::ptrdiff_t x = 0;
     for (; x + line <= nx; x += line) {
       cells.prefetch(x);

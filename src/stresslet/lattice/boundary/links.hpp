@@ -21,6 +21,7 @@ namespace stresslet {
 struct LinkBox {
   int block, partner_block;
   int slot, partner_slot;
+  Cells crossed;      ///< the faces between block and halo places: -1, 0, 1 along each axis
   Cells first, last;  ///< halo places, coordinates in `block`, both ends included
   Cells to_partner;   ///< coordinates in `partner_block` minus coordinates in `block`
   double correction;  ///< added on the way, in both directions
@@ -57,34 +58,48 @@ class LinkBoundary : public Boundary<Stencil, T> {
  public:
   explicit LinkBoundary(std::vector<LinkBox> boxes) : boxes_(std::move(boxes)) {}
 
+  bool looks_across() const override { return false; }
+
   void before_sweep(Lattice<Stencil, T>& lattice, Member& member) override {
     if (lattice.arrangement == Arrangement::departing)
-      copy(lattice, member, [](T* halo, T* partner) -> std::pair<T*, T*> { return {partner, halo}; });
+      for (const LinkBox& box : boxes_) copy(partner_rows(lattice, box), halo_rows(lattice, box), box, member);
   }
   void after_sweep(Lattice<Stencil, T>& lattice, Arrangement swept, Member& member) override {
     if (swept == Arrangement::departing)
-      copy(lattice, member, [](T* halo, T* partner) -> std::pair<T*, T*> { return {halo, partner}; });
+      for (const LinkBox& box : boxes_) copy(halo_rows(lattice, box), partner_rows(lattice, box), box, member);
   }
 
  private:
-  template <class Direction>
-  void copy(Lattice<Stencil, T>& lattice, Member& member, Direction&& direction) {
-    for (const LinkBox& box : boxes_) {
-      const auto& halo = lattice.blocks[std::size_t(box.block)].populations;
-      const auto& partner = lattice.blocks[std::size_t(box.partner_block)].populations;
-      const T correction = T(box.correction);
-      const int count = box.last[0] - box.first[0] + 1, ny = box.last[1] - box.first[1] + 1;
-      const Range rows = member.share(std::size_t(ny) * std::size_t(box.last[2] - box.first[2] + 1));
-      for (std::size_t row = rows.begin; row < rows.end; ++row) {
-        const Cells at{box.first[0], box.first[1] + int(row) % ny, box.first[2] + int(row) / ny};
-        const Cells there{at[0] + box.to_partner[0], at[1] + box.to_partner[1], at[2] + box.to_partner[2]};
-        const auto [from, to] = direction(halo.slot(box.slot) + halo.layout().index(at),
-                                          partner.slot(box.partner_slot) + partner.layout().index(there));
-        if (correction == T(0))
-          std::copy_n(from, count, to);
-        else
-          for (int k = 0; k < count; ++k) to[k] = from[k] + correction;
-      }
+  /// The places of a box in one of its blocks.
+  struct Rows {
+    T* first;
+    std::size_t pitch, plane;
+    T* row(std::size_t y, std::size_t z) const { return first + y * pitch + z * plane; }
+  };
+  static Rows rows(const Populations<Stencil, T>& populations, int slot, const Cells& first) {
+    const BlockLayout& layout = populations.layout();
+    return {populations.slot(slot) + layout.index(first), layout.pitch(), layout.plane()};
+  }
+  static Rows halo_rows(const Lattice<Stencil, T>& lattice, const LinkBox& box) {
+    return rows(lattice.blocks[std::size_t(box.block)].populations, box.slot, box.first);
+  }
+  static Rows partner_rows(const Lattice<Stencil, T>& lattice, const LinkBox& box) {
+    const Cells first{box.first[0] + box.to_partner[0], box.first[1] + box.to_partner[1],
+                      box.first[2] + box.to_partner[2]};
+    return rows(lattice.blocks[std::size_t(box.partner_block)].populations, box.partner_slot, first);
+  }
+
+  static void copy(const Rows& from, const Rows& to, const LinkBox& box, Member& member) {
+    const T correction = T(box.correction);
+    const int count = box.last[0] - box.first[0] + 1;
+    const std::size_t ny = std::size_t(box.last[1] - box.first[1] + 1);
+    const Range rows = member.share(ny * std::size_t(box.last[2] - box.first[2] + 1));
+    std::size_t y = rows.begin % ny, z = rows.begin / ny;
+    for (std::size_t row = rows.begin; row < rows.end; ++row) {
+      const T* source = from.row(y, z);
+      T* target = to.row(y, z);
+      for (int k = 0; k < count; ++k) target[k] = source[k] + correction;
+      if (++y == ny) y = 0, ++z;
     }
   }
 
@@ -104,7 +119,7 @@ std::vector<LinkBox> exchange_links(const Grid& grid) {
       Cells shift;
       for (int a = 0; a < 3; ++a)
         shift[a] = boxes[std::size_t(b)].origin[a] - n.wrap[a] * grid.size[a] - boxes[std::size_t(n.block)].origin[a];
-      links.push_back({b, n.block, j, j, first, last, shift, 0});
+      links.push_back({b, n.block, j, j, d, first, last, shift, 0});
     });
   return links;
 }
@@ -124,7 +139,7 @@ std::vector<LinkBox> half_way_links(const Grid& grid, WallVelocity&& wall_veloci
           if (!velocity) return;
           const auto& c = Stencil::velocity[j];
           links.push_back(
-              {b, b, j, opposite(j), first, last, {-c[0], -c[1], -c[2]}, wall_correction<Stencil>(j, *velocity)});
+              {b, b, j, opposite(j), d, first, last, {-c[0], -c[1], -c[2]}, wall_correction<Stencil>(j, *velocity)});
         });
   return links;
 }

@@ -21,6 +21,8 @@ class ShearedBoundary : public Boundary<Stencil, T> {
  public:
   ShearedBoundary(const Grid& grid, std::string_view interpolation);
 
+  bool looks_across() const override { return false; }
+
   void before_sweep(Lattice<Stencil, T>& lattice, Member& member) override;
   void look_after_sweep(const Lattice<Stencil, T>& lattice, Member& member) override;
   void after_sweep(Lattice<Stencil, T>& lattice, Arrangement swept, Member& member) override;

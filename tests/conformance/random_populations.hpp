@@ -55,7 +55,7 @@ std::array<double, Stencil::size> collided(const std::array<double, Stencil::siz
   const RelaxationRates rates = Collision::rates(input);
   typename Collision::template Cell<Stencil, double> collision(rates);
   CellPopulations<Stencil, double> pairs = in_pairs<Stencil>(f);
-  collide<Collision, Forcing, Stencil, double>(pairs, collision, {force, rates.odd});
+  collide<Collision, Forcing>(pairs, collision, BodyForce<double>{force, rates.odd});
   return out_of_pairs<Stencil>(pairs);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 /// The body of the kernel of sweep.hpp, instantiated in one source file per stencil and precision (sweep_*.cpp): each
 /// holds every pair of a collision and a forcing law and takes its minute to compile.
+#include <algorithm>
 #include <bit>
 
 #include "stresslet/exec/simd.hpp"
@@ -16,17 +17,16 @@ constexpr std::ptrdiff_t prefetch_distance = 256;
 template <class Stencil, class T>
 using Sources = std::array<T*, Stencil::size>;
 
-/// The incoming populations of one pack of cells where they lie in memory; outgoing ones replace them there, of a
-/// `partial` pack only those of its first `cells`. Every place belongs to one cell (populations.hpp), so a pair may be
-/// read again until it is written.
-template <class Stencil_, class T, bool partial>
+/// The incoming populations of one pack of cells where they lie in memory; outgoing ones replace them there. Every
+/// place belongs to one cell (populations.hpp), so a pair may be read again until it is written.
+template <class Stencil_, class T>
 class PackInPlace {
  public:
   using Stencil = Stencil_;
   using R = PackOf<T>;
 
-  [[gnu::always_inline]] PackInPlace(const Sources<Stencil, T>& source, std::ptrdiff_t first, std::ptrdiff_t cells)
-      : source_(source), first_(first), cells_(cells) {}
+  [[gnu::always_inline]] PackInPlace(const Sources<Stencil, T>& source, std::ptrdiff_t first)
+      : source_(source), first_(first) {}
 
   [[gnu::always_inline]] R read_rest() const { return load(0); }
   template <int k>
@@ -51,15 +51,34 @@ class PackInPlace {
     return std::bit_cast<R>(Register(*reinterpret_cast<const Unaligned*>(source_[i] + first_)));
   }
   [[gnu::always_inline]] void store(int i, const R& value) const {
-    T* const place = source_[i] + first_;
-    if constexpr (partial)
-      stdx::where(R([](auto lane) { return T(lane); }) < R(T(cells_)), value).copy_to(place, stdx::element_aligned);
-    else
-      *reinterpret_cast<Unaligned*>(place) = std::bit_cast<Register>(value);
+    *reinterpret_cast<Unaligned*>(source_[i] + first_) = std::bit_cast<Register>(value);
   }
 
   const Sources<Stencil, T>& source_;
-  std::ptrdiff_t first_, cells_;
+  std::ptrdiff_t first_;
+};
+
+/// Where the last cells of a row are stepped that do not fill a pack, so that they go through the same instructions as
+/// all others: a compiler that fuses multiplications and additions need not do so alike in two copies of the code.
+template <class Stencil, class T>
+class PartialPack {
+ public:
+  static constexpr std::ptrdiff_t width = PackOf<T>::size();
+
+  PartialPack() {
+    for (int i = 0; i < Stencil::size; ++i) places_[i] = &values_[std::size_t(i * width)];
+  }
+  const Sources<Stencil, T>& places() const { return places_; }
+  void take(const Sources<Stencil, T>& source, std::ptrdiff_t first, std::ptrdiff_t cells) {
+    for (int i = 0; i < Stencil::size; ++i) std::copy_n(source[i] + first, cells, places_[i]);
+  }
+  void give_back(const Sources<Stencil, T>& source, std::ptrdiff_t first, std::ptrdiff_t cells) const {
+    for (int i = 0; i < Stencil::size; ++i) std::copy_n(places_[i], cells, source[i] + first);
+  }
+
+ private:
+  alignas(cache_line) std::array<T, std::size_t(Stencil::size* width)> values_{};
+  Sources<Stencil, T> places_;
 };
 
 /// Steps rows of cells, pack by pack.
@@ -90,17 +109,15 @@ class RowSweep {
 
   /// Steps the cells [x, x + width), or only the first `cells` of them, with `collide_cells(f, rates, force)`.
   template <class Collide>
-  [[gnu::always_inline]] void step(std::ptrdiff_t x, std::ptrdiff_t cells, Collide&& collide_cells) const {
+  [[gnu::always_inline]] void step(std::ptrdiff_t x, std::ptrdiff_t cells, Collide&& collide_cells) {
+    const bool whole = cells >= width;
+    if (!whole) partial_.take(source_, row_ + x, cells);
+    PackInPlace<Stencil, T> f(whole ? source_ : partial_.places(), whole ? row_ + x : 0);
     Rates rates = rates_;
-    if (cells >= width) {
-      PackInPlace<Stencil, T, false> f(source_, row_ + x, cells);
-      collide_cells(f, rates, force_);
-    } else {
-      PackInPlace<Stencil, T, true> f(source_, row_ + x, cells);
-      collide_cells(f, rates, force_);
-    }
+    collide_cells(f, rates, force_);
+    if (!whole) partial_.give_back(source_, row_ + x, cells);
   }
-  [[gnu::always_inline]] void step(std::ptrdiff_t x, std::ptrdiff_t cells) const {
+  [[gnu::always_inline]] void step(std::ptrdiff_t x, std::ptrdiff_t cells) {
     step(
         x, cells, [](auto& f, auto& rates, const auto& force) __attribute__((always_inline)) {
           collide<Collision, Forcing>(f, rates, force);
@@ -111,6 +128,7 @@ class RowSweep {
   Rates rates_;
   BodyForce<R> force_;
   Sources<Stencil, T> source_;
+  PartialPack<Stencil, T> partial_;
   std::ptrdiff_t row_ = 0;
 };
 
@@ -125,12 +143,10 @@ void sweep(const Populations<Stencil, T>& populations, Arrangement arrangement, 
   const std::size_t ny = std::size_t(layout.size()[1]);
   for (std::size_t row = first; row < last; ++row) {
     cells.start(layout.index(0, int(row % ny), int(row / ny)));
-    std::ptrdiff_t x = 0;
-    for (; x + line <= nx; x += line) {
-      cells.prefetch(x);
-      for (std::ptrdiff_t k = 0; k < line; k += width) cells.step(x + k, width);
+    for (std::ptrdiff_t x = 0; x < nx; x += width) {
+      if (x % line == 0) cells.prefetch(x);
+      cells.step(x, std::min(width, nx - x));
     }
-    for (; x < nx; x += width) cells.step(x, std::min(width, nx - x));
   }
 }
 

@@ -58,8 +58,8 @@ std::string json_text(const Case& what, const Trial& trial, double seconds, cons
   j["verdict"] = trial.passes() ? "pass" : "fail";
   j["seconds"] = seconds;
   j["parameters"] = nlohmann::ordered_json::object();
-  for (const auto& [name, value] : trial.parameters())
-    std::visit([&](const auto& v) { j["parameters"][name] = v; }, value);
+  for (const auto& parameter : trial.parameters())
+    std::visit([&](const auto& value) { j["parameters"][parameter.first] = value; }, parameter.second);
   j["rows"] = nlohmann::ordered_json::array();
   for (const Row& r : trial.rows())
     j["rows"].push_back({{"quantity", r.quantity},

@@ -16,10 +16,14 @@ void add_new(CLI::App& app, ExitCode&) {
   auto fidelity = std::make_shared<std::string>("lubricated");
   CLI::App* command = app.add_subcommand("new", "Write a commented input file to start from");
   command->add_option("FILE", *file, "File to write; - for standard output")->required();
-  command->add_option("--fidelity", *fidelity, "lubricated: a suspension; fluid: flow without particles")
-      ->check(CLI::IsMember({"lubricated", "fluid"}));
+  command
+      ->add_option("--fidelity", *fidelity,
+                   "lubricated: a suspension; resolved: with the fluid in it; fluid: flow without particles")
+      ->check(CLI::IsMember({"lubricated", "resolved", "fluid"}));
   command->callback([file, fidelity] {
-    const std::string text = *fidelity == "fluid" ? new_fluid_case_template() : new_case_template();
+    const std::string text =
+        *fidelity == "fluid" ? new_fluid_case_template()
+                             : new_case_template(*fidelity == "resolved" ? Fidelity::resolved : Fidelity::lubricated);
     if (*file == "-") {
       fmt::print("{}", text);
       return;

@@ -143,6 +143,16 @@ TEST(NewCase, IsTheStandardCase) {
   EXPECT_TRUE(from_template == read_case(example));
 }
 
+TEST(NewCase, ResolvedReadsAsResolved) {
+  const Case resolved = read_case_text(new_case_template(Fidelity::resolved), "new.toml");
+  EXPECT_TRUE(resolved.resolved());
+  // Without the fluid, the standard case of as many particles.
+  const Case lubricated = read_case_text(new_case_template(), "new.toml", {"suspension.count=300"});
+  EXPECT_EQ(resolved.suspension, lubricated.suspension);
+  EXPECT_EQ(resolved.contact, lubricated.contact);
+  EXPECT_EQ(resolved.flow.reynolds, resolved.stokes_number());
+}
+
 TEST(Example, GivesEveryKeyThatScriptsOverride) {
   const Case read =
       read_case(example, {"suspension.solid_fraction=0.45", "suspension.count=500", "suspension.seed=3",

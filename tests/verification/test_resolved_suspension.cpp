@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "stresslet/base/constants.hpp"
+#include "stresslet/base/error.hpp"
 #include "stresslet/simulation/any_case.hpp"
 #include "stresslet/simulation/plan.hpp"
 #include "stresslet/simulation/resolved/resolved_flow.hpp"
@@ -56,6 +57,14 @@ TEST(ResolvedSuspension, ShearedLattice) {
   expect_rheology(s, team, eighth);
 }
 
+TEST(ResolvedSuspension, ShearedLatticeInSubsteps) {
+  Suspension s = sheared_lattice(0);
+  s.time.substeps = 3;
+  ThreadTeam team(1);
+  start(s, team);
+  expect_rheology(s, team, eighth);
+}
+
 /// The same with layers of spheres cut by the sheared face, and a strain on.
 TEST(LongResolvedSuspension, ShearedLatticeCutByTheFace) {
   Suspension s = sheared_lattice(0.5 * spacing, {"flow.stokes=0.02"});
@@ -65,14 +74,18 @@ TEST(LongResolvedSuspension, ShearedLatticeCutByTheFace) {
     expect_rheology(s, team, exact);
 }
 
-/// Momentum of fluid and particles together stays what it is; spheres close enough for films and shared cells.
-TEST(ResolvedSuspension, ConservesMomentum) {
+/// Momentum of fluid and particles together stays what it is; spheres close enough for films and shared cells. The same
+/// when the particles take several steps in one of the lattice.
+class ResolvedMomentum : public ::testing::TestWithParam<int> {};
+
+TEST_P(ResolvedMomentum, IsConserved) {
   const Case settled = std::get<Case>(read_any_case_text(
       "fidelity = \"resolved\"\n", "dense",
       {"suspension.solid_fraction=0.45", "suspension.count=30", "suspension.sizes.law=monodisperse", "run.strain=1",
        "resolution.cells_per_diameter=8", "flow.boundary=periodic", "flow.reynolds=0.2"}));
   const Plan plan = make_plan(settled);
   Suspension s = make_suspension(settled, plan, {});
+  s.time.substeps = GetParam();
   const ResolvedSetup& lattice = *plan.resolved;
   for (std::size_t k = 0; k < s.state.size(); ++k)
     s.state.set_velocity(k, {std::sin(double(k)), std::cos(2.0 * double(k)), 0.3});
@@ -90,6 +103,25 @@ TEST(ResolvedSuspension, ConservesMomentum) {
   const double scale = s.state.mass(0) * double(s.state.size());
   EXPECT_LT(norm(momentum() - before), 50 * 1e-12 * scale);
   EXPECT_GT(s.fluid_coupling.friction().size(), 0u) << "no cells are shared";
+}
+
+INSTANTIATE_TEST_SUITE_P(Substeps, ResolvedMomentum, ::testing::Values(1, 3));
+
+/// Stiffer contacts shorten the particles' step by the root of the stiffness or more, not the lattice's.
+TEST(ResolvedSuspension, ParticlesTakeTheStepsTheyNeed) {
+  const auto plan = [](const char* stiffness) {
+    const Case settled =
+        std::get<Case>(read_any_case_text("fidelity = \"resolved\"\n", "stiff",
+                                          {"suspension.solid_fraction=0.2", "suspension.count=20", "run.strain=1",
+                                           std::string("contact.stiffness=") + stiffness}));
+    return make_plan(settled);
+  };
+  const Plan soft = plan("1e4"), stiff = plan("1e6");
+  EXPECT_EQ(stiff.time.step, soft.time.step);
+  EXPECT_GE(stiff.time.substeps, 10 * soft.time.substeps);
+  EXPECT_LE(stiff.time.substep(), stiff.bounds.chosen);
+  EXPECT_GT(stiff.time.step / (stiff.time.substeps - 1), stiff.bounds.chosen) << "more than they need";
+  EXPECT_THROW(plan("1e10"), InputError);
 }
 
 }  // namespace

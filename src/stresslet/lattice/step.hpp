@@ -28,7 +28,9 @@ template <class Stencil, class T>
 void prepare_step(Lattice<Stencil, T>& lattice, const Boundaries<Stencil, T>& boundaries, Member& member,
                   RowsExchanged rows = RowsExchanged::around_sweep) {
   if (rows == RowsExchanged::around_sweep && lattice.arrangement == Arrangement::departing) {
-    for_each_row_of_blocks(lattice, member, [&](int b, int y, int z) { boundaries.rows.bring_in(b, y, z); });
+    for_each_row(lattice, member, [&](const auto& block, int y, int z) {
+      boundaries.rows.bring_in(int(&block - lattice.blocks.data()), y, z);
+    });
     member.barrier();
   }
   for (const auto& boundary : boundaries.others) {
@@ -54,7 +56,9 @@ void finish_step(Lattice<Stencil, T>& lattice, const Boundaries<Stencil, T>& bou
   for (const auto& boundary : boundaries.others) boundary->look_after_sweep(lattice, member);
   member.barrier();
   if (rows == RowsExchanged::around_sweep && swept == Arrangement::departing) {
-    for_each_row_of_blocks(lattice, member, [&](int b, int y, int z) { boundaries.rows.bring_out(b, y, z); });
+    for_each_row(lattice, member, [&](const auto& block, int y, int z) {
+      boundaries.rows.bring_out(int(&block - lattice.blocks.data()), y, z);
+    });
     member.barrier();
   }
   for (const auto& boundary : boundaries.others) {

@@ -10,7 +10,7 @@ namespace stresslet {
 namespace {
 
 constexpr double default_stokes = 0.1;
-constexpr std::int64_t default_count = 1000;
+constexpr std::int64_t default_count = 1000, resolved_count = 300;
 constexpr std::string_view default_model = "CLM-S";
 
 Case read_document(InputDocument document, const std::vector<std::string>& overrides) {
@@ -91,15 +91,17 @@ std::string resolved_toml(const Case& resolved) {
   return head + resolved_text(described(resolved));
 }
 
-std::string new_case_template() {
+std::string new_case_template(Fidelity fidelity) {
   Case standard;
+  standard.fidelity = fidelity;
   standard.suspension.solid_fraction = 0.5;
   standard.run.strain = 10;
   standard.run.average_from = 2;
+  if (fidelity == Fidelity::resolved) standard.suspension.count = resolved_count;
   settle(standard);
   return "# Input of stresslet. Lengths are in units of the diameter d1, times in 1/shear rate.\n"
          "# Keys that are commented out show their defaults.\n\n" +
-         template_text(described(standard));
+         std::string(standard.resolved() ? "fidelity = \"resolved\"\n\n" : "") + template_text(described(standard));
 }
 
 }  // namespace stresslet

@@ -84,7 +84,7 @@ void settle(Case& settled);
 /// Every key with its final value as TOML; reads back to an equal case.
 std::string resolved_toml(const Case& resolved);
 
-/// A commented input to start from: the standard case.
-std::string new_case_template();
+/// A commented input to start from: the standard suspension, lubricated or resolved.
+std::string new_case_template(Fidelity fidelity = Fidelity::lubricated);
 
 }  // namespace stresslet

@@ -93,7 +93,9 @@ Vec3<double> box_of(double volume, const Vec3<double>& aspect) {
   return std::cbrt(volume / (aspect.x * aspect.y * aspect.z)) * aspect;
 }
 
-/// The lattice fixes the step; contacts must bear it.
+constexpr double most_substeps = 100;
+
+/// The lattice fixes the step; particles that need shorter ones take several in it.
 void settle_resolved(const Case& c, Plan& plan) {
   const auto [smallest, largest] = std::minmax_element(plan.radii.begin(), plan.radii.end());
   plan.resolved = resolved_setup(c, plan.box, *smallest);
@@ -102,13 +104,16 @@ void settle_resolved(const Case& c, Plan& plan) {
   if (plan.resolved->correction)
     plan.physics.cutoffs.outer = plan.resolved->correction->range.outer * plan.resolved->cell / *smallest;
   plan.time.step = plan.resolved->step();
-  if (plan.time.step > plan.bounds.largest)
+  const double parts = std::ceil(plan.time.step / plan.bounds.chosen - 1e-9);
+  if (parts > most_substeps)
     throw InputError({c.where("flow.reynolds"),
-                      fmt::format("a step of the lattice, {:.3g}, is above the largest step {:.3g} that particles bear",
-                                  plan.time.step, plan.bounds.largest),
-                      fmt::format("that is limited by {}", plan.bounds.binding),
+                      fmt::format("the particles would take {:.0f} steps in one of the lattice", parts),
+                      fmt::format("a step of the lattice is {:.3g}, of the particles {:.3g}, limited by {}; the fluid "
+                                  "cannot follow what happens in more than {:.0f}",
+                                  plan.time.step, plan.bounds.chosen, plan.bounds.binding, most_substeps),
                       fmt::format("lower flow.reynolds to {:.3g}, the relaxation time, or contact.stiffness",
-                                  c.reynolds_number() * plan.bounds.largest / plan.time.step)});
+                                  c.reynolds_number() * most_substeps * plan.bounds.chosen / plan.time.step)});
+  plan.time.substeps = std::max(1, int(parts));
 }
 
 double volume_of(std::vector<double> radii) {

@@ -60,6 +60,9 @@ std::string time_lines(const Case& c, const Plan& p) {
                            : c.time.step ? "as given"
                                          : "derived",
                            b.largest));
+  if (p.time.substeps > 1)
+    text += line("particles' step", fmt::format("{:.3g} / gdot", p.time.substep()),
+                 fmt::format("{} in a step of the lattice", p.time.substeps));
   text += line("bound by", b.binding);
   if (b.contact > 0)
     text += line("half period of a contact", fmt::format("{:.3g} / gdot", b.contact),

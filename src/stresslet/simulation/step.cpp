@@ -11,6 +11,12 @@ namespace stresslet {
 
 namespace {
 
+/// A part of a step.
+struct Part {
+  bool first, last;
+  double share;
+};
+
 template <class Scheme>
 void load_velocities(Member& member, Suspension& s) {
   const Range mine = member.share(s.state.size());
@@ -22,7 +28,7 @@ void load_velocities(Member& member, Suspension& s) {
 }
 
 void drift(Member& member, Suspension& s) {
-  const double dt = s.time.step;
+  const double dt = s.time.substep();
   Box advanced = s.box;
   advanced.advance(dt);
   const Range mine = member.share(s.state.size());
@@ -39,15 +45,14 @@ void drift(Member& member, Suspension& s) {
   member.barrier();
   if (member.rank() == 0) {
     s.box = advanced;
-    ++s.steps;
-    s.strain = double(s.steps) * dt;
     s.strain_since_build += s.box.mean_gradient() * dt;
   }
 }
 
-/// Everything from the separations to the new velocities.
+/// Everything from the separations to the new velocities; of the resolved fluid's step, what belongs to the first and
+/// to the last part.
 template <class Scheme>
-void interact(Suspension& s, ThreadTeam& team, double contact_step, double velocity_step) {
+void interact(Suspension& s, ThreadTeam& team, double contact_step, double velocity_step, Part part) {
   team.run([&](Member& member) {
     load_velocities<Scheme>(member, s);
     const ContactVelocities velocities{s.velocity, s.velocity_now};
@@ -57,13 +62,15 @@ void interact(Suspension& s, ThreadTeam& team, double contact_step, double veloc
     s.wall_contacts.update(member, s.physics.contact, s.state, velocities, s.box, contact_step);
     if (s.resolved) {
       update_subgrid_films(member, s);
-      s.resolved->prepare(member, s.state, s.box, s.fluid_coupling);
+      if (part.first) s.resolved->prepare(member, s.state, s.box, s.fluid_coupling);
     } else {
       s.lubrication.update(member, s.physics.lubrication_law, s.physics.cutoffs, s.pairs, s.box);
     }
     s.walls.update(member, s.physics.lubrication_law, s.physics.cutoffs, s.state, s.box);
     Scheme::advance_velocities(member, s, velocity_step);
-    if (s.resolved) s.resolved->sweep(member, s.state);
+    if (!s.resolved) return;
+    s.resolved->follow(member, s.state, part.first, part.share);
+    if (part.last) s.resolved->sweep(member);
   });
 }
 
@@ -75,15 +82,22 @@ void start(Suspension& s, ThreadTeam& team) {
   if (s.resolved) s.resolved->fill(team);
   TimeSchemes::dispatch(s.time.scheme, [&](auto tag) {
     using Scheme = typename decltype(tag)::type;
-    interact<Scheme>(s, team, 0.0, Scheme::first_step(s.time.step));
+    interact<Scheme>(s, team, 0.0, Scheme::first_step(s.time.step), {true, true, 1});
   });
 }
 
 void step(Suspension& s, ThreadTeam& team) {
-  team.run([&](Member& member) { drift(member, s); });
-  if (!s.list.valid(largest_displacement(s), s.strain_since_build)) rebuild_neighbours(s, team);
-  TimeSchemes::dispatch(s.time.scheme,
-                        [&](auto tag) { interact<typename decltype(tag)::type>(s, team, s.time.step, s.time.step); });
+  const int parts = s.time.substeps;
+  const double dt = s.time.substep();
+  for (int k = 0; k < parts; ++k) {
+    team.run([&](Member& member) { drift(member, s); });
+    if (!s.list.valid(largest_displacement(s), s.strain_since_build)) rebuild_neighbours(s, team);
+    TimeSchemes::dispatch(s.time.scheme, [&](auto tag) {
+      interact<typename decltype(tag)::type>(s, team, dt, dt, {k == 0, k == parts - 1, 1.0 / parts});
+    });
+  }
+  ++s.steps;
+  s.strain = double(s.steps) * s.time.step;
 }
 
 void resume(Suspension& s) {

@@ -6,6 +6,9 @@
 ///   contacts         springs advanced with the velocities of the drift
 ///   resistances      X, Y, B, C of every film
 ///   velocities       by the time scheme (schemes/laws.hpp)
+/// With a resolved fluid the particles may need shorter steps than the lattice. The fluid is measured at the first of
+/// `substeps`, drags with these sums through all of them, being linear in the velocities, and is then moved on with the
+/// means of the velocities: the impulses that it gives and takes are the same.
 /// `start` does the last four at time zero, so that between steps positions, forces and velocities belong together.
 #include "stresslet/exec/thread_team.hpp"
 #include "stresslet/rheology/stress.hpp"

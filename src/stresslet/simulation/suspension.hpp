@@ -30,8 +30,11 @@ class ResolvedFlow;
 struct TimeControl {
   std::string scheme = "semi-implicit";
   double step = 0;
+  int substeps = 1;                ///< of the particles in a step of the resolved fluid
   double solver_tolerance = 1e-3;  ///< per particle, in units of 6 pi viscosity gdot a^2
   int largest_iteration = 1000;
+
+  double substep() const { return step / substeps; }
 };
 
 struct Suspension {

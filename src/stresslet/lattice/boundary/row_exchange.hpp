@@ -73,15 +73,4 @@ class RowExchange {
   std::vector<std::vector<Link>> of_block_;
 };
 
-/// Calls `body(block, y, z)` for this member's share of the rows, block by number.
-template <class Stencil, class T, class Body>
-void for_each_row_of_blocks(const Lattice<Stencil, T>& lattice, const Member& member, Body&& body) {
-  for (int block = 0; block < int(lattice.blocks.size()); ++block) {
-    const BlockLayout& layout = lattice.blocks[std::size_t(block)].populations.layout();
-    const std::size_t ny = std::size_t(layout.size()[1]);
-    const Range rows = member.share(layout.rows());
-    for (std::size_t row = rows.begin; row < rows.end; ++row) body(block, int(row % ny), int(row / ny));
-  }
-}
-
 }  // namespace stresslet

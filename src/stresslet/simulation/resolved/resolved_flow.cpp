@@ -71,14 +71,15 @@ void ResolvedFlow::prepare(Member& member, const ParticleState& state, const Box
   member.barrier();
 }
 
-void ResolvedFlow::sweep(Member& member, const ParticleState& state) {
+void ResolvedFlow::follow(Member& member, const ParticleState& state, bool first, double share) {
   const Range mine = member.share(state.size());
   for (std::size_t i = mine.begin; i < mine.end; ++i) {
-    spheres_[i].velocity = (step_ / setup_.cell) * state.velocity(i);
-    spheres_[i].angular_velocity = step_ * state.angular_velocity(i);
+    ResolvedSphere& sphere = spheres_[i];
+    if (first) sphere.velocity = sphere.angular_velocity = {};
+    sphere.velocity += (share * step_ / setup_.cell) * state.velocity(i);
+    sphere.angular_velocity += share * step_ * state.angular_velocity(i);
   }
   member.barrier();
-  fluid_.sweep(member, spheres_);
 }
 
 Stress ResolvedFlow::stresslet(const ParticleState& state, const Box& box, const FluidCoupling& coupling) const {

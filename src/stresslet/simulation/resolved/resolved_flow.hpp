@@ -43,8 +43,10 @@ class ResolvedFlow {
   // All members of the team, once a step each.
   /// Measures the fluid in the particles' cells and says what it does to them.
   void prepare(Member& member, const ParticleState& state, const Box& box, FluidCoupling& coupling);
-  /// Moves the fluid on, with the particles at their new velocities.
-  void sweep(Member& member, const ParticleState& state);
+  /// Takes the particles' new velocities, which they keep for this share of the step.
+  void follow(Member& member, const ParticleState& state, bool first, double share);
+  /// Moves the fluid on, with the particles at the means of these.
+  void sweep(Member& member) { fluid_.sweep(member, spheres_); }
 
   /// After `sweep`, per volume, in units of viscosity x shear rate: first moments of the forces that the particles
   /// exert on the fluid and on each other through shared cells, kinetic part included.

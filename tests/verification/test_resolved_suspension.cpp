@@ -65,6 +65,57 @@ TEST(LongResolvedSuspension, ShearedLatticeCutByTheFace) {
     expect_rheology(s, team, exact);
 }
 
+/// Power of the stress less what is dissipated and what is stored, over the power; means over [from, strain].
+double imbalance(Suspension& s, ThreadTeam& team, double from) {
+  const auto measured = [&] {
+    Sample m = sample(s, team);
+    s.resolved->add_to(m);
+    return m;
+  };
+  while (s.strain < from) step(s, team);
+  const Sample begin = measured();
+  double stress = 0, dissipated = 0;
+  Sample m = begin;
+  constexpr int samples = 8, steps_between = 12;
+  const double start_strain = s.strain;
+  for (int n = 0; n < samples; ++n) {
+    for (int k = 0; k < steps_between; ++k) step(s, team);
+    m = measured();
+    stress += (1 + m.stress.total().xy) / samples;
+    dissipated += (1 + m.stress.stresslet.xy + m.dissipation()) / samples;
+  }
+  const double stored = m.elastic_energy + m.kinetic_energy - begin.elastic_energy - begin.kinetic_energy;
+  return (dissipated + stored / (s.strain - start_strain)) / stress - 1;
+}
+
+/// Energy: what the stress puts in is dissipated by collisions and slip, in steady Stokes flow all of it.
+TEST(ResolvedSuspension, ShearedLatticeDissipatesThePowerOfItsStress) {
+  for (const char* law : {"superposition", "bounce-back"}) {
+    SCOPED_TRACE(law);
+    std::vector<std::string> keys{"resolution.cells_per_diameter=6.91",
+                                  "resolution.coupling=\"" + std::string(law) + "\""};
+    if (std::string(law) == "bounce-back")
+      keys.insert(keys.end(), {"resolution.solid_weight=\"noble-torczynski\"", "resolution.correction=\"none\""});
+    Suspension s = sheared_lattice(0.3, keys);
+    ThreadTeam team(1);
+    start(s, team);
+    EXPECT_LT(std::abs(imbalance(s, team, 0.06)), 5e-4);
+  }
+}
+
+/// The same of spheres close enough for films, shared cells and contacts, out of the steady state.
+TEST(ResolvedSuspension, DenseDissipatesThePowerOfItsStress) {
+  const Case settled = std::get<Case>(
+      read_any_case_text("fidelity = \"resolved\"\n", "dense",
+                         {"suspension.solid_fraction=0.4", "suspension.count=24", "suspension.sizes.law=monodisperse",
+                          "run.strain=1", "resolution.cells_per_diameter=8"}));
+  const Plan plan = make_plan(settled);
+  Suspension s = make_suspension(settled, plan, {});
+  ThreadTeam team(1);
+  start(s, team);
+  EXPECT_LT(std::abs(imbalance(s, team, 0.02)), 0.01);
+}
+
 /// Momentum of fluid and particles together stays what it is; spheres close enough for films and shared cells.
 TEST(ResolvedSuspension, ConservesMomentum) {
   const Case settled = std::get<Case>(read_any_case_text(

@@ -15,6 +15,7 @@
 
 #include "stresslet/coupling/covered_runs.hpp"
 #include "stresslet/coupling/exchange_sums.hpp"
+#include "stresslet/coupling/fluid_energy.hpp"
 #include "stresslet/coupling/resolved_sweep.hpp"
 #include "stresslet/coupling/sphere_links.hpp"
 #include "stresslet/lattice/fluid_of.hpp"
@@ -56,10 +57,15 @@ class ResolvedFluid : private FluidOf<D3Q19, double> {
   /// After `prepare`: which cells the spheres cover.
   const CoveredRuns& covered() const { return covered_; }
 
+  /// Between steps: the energy of the fluid with `spheres` where the next step will have them. What `covered` says is
+  /// then of these.
+  FluidEnergy energy(ThreadTeam& team, const std::vector<ResolvedSphere>& spheres);
+
  private:
   void find_friction();
 
   ResolvedSweep<Stencil> resolved_sweep_, forced_sweep_;
+  RowEnergy<Stencil> row_energy_;
   CoveredRuns covered_;
   ExchangeFactors factors_;
   std::vector<RunExchange> by_slot_;

@@ -70,9 +70,10 @@ void take_sample(Run& run) {
   Suspension& s = run.suspension;
   check_finite(s);
   check_solver(s);
-  const Sample m = sample(s, run.team);
+  Sample m = sample(s, run.team);
+  if (s.resolved) s.resolved->add_to(m);
   run.results.add_sample(run.series.add(s.strain, m, double(run.plan.count()), s.solver_report.iterations));
-  if (s.box.shear_rate > 0 && !s.resolved) check_energy_balance(run.series, run.settled.run.monitor_tolerance);
+  if (s.box.shear_rate > 0) check_energy_balance(run.series, run.settled.run.monitor_tolerance);
   if (s.strain >= run.settled.run.average_from.value_or(profile_from_without_average) - strain_round_off)
     run.profile.add(s.state.y, s.state.ux, s.state.radius);
 }

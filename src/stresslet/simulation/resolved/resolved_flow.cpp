@@ -96,14 +96,9 @@ Stress ResolvedFlow::stresslet(const ParticleState& state, const Box& box, const
 
 double ResolvedFlow::dissipation(ThreadTeam& team, const ParticleState& state, const Box& box,
                                  const FluidCoupling& coupling) {
-  const Cells& n = setup_.cells;
-  std::vector<double> rows(std::size_t(n[1]) * std::size_t(n[2]));  // summed in order, whatever the threads
-  fluid_.measure(team, {0, 0, 0}, {n[0] - 1, n[1] - 1, n[2] - 1}, {1, 1, 1}, [&](const Cells& c, const CellState& s) {
-    rows[std::size_t(c[1]) + std::size_t(n[1]) * std::size_t(c[2])] +=
-        2 * double_contraction(s.strain_rate, s.strain_rate);
-  });
-  double sum = 0;
-  for (const double row : rows) sum += row;
+  std::vector<ResolvedSphere> next = spheres_;
+  for (std::size_t i = 0; i < next.size(); ++i) next[i].centre += next[i].velocity;
+  look_ = fluid_.energy(team, next);
   double rubbed = 0;
   for (const PointFriction& f : coupling.friction()) {
     const std::size_t i = std::size_t(f.first), j = std::size_t(f.second);
@@ -111,7 +106,15 @@ double ResolvedFlow::dissipation(ThreadTeam& team, const ParticleState& state, c
         f.force({state.velocity(i), state.angular_velocity(i)}, {state.velocity(j), state.angular_velocity(j)}, true);
     rubbed += dot(force, force) / f.coefficient;
   }
-  return sum / (step_ * step_ * setup_.cell_count()) + rubbed / box.volume();
+  const double energy_unit = mass_unit_ * setup_.cell * setup_.cell / (step_ * step_);
+  return (energy_unit / step_ * (look_.collisions + look_.slip) + rubbed) / box.volume();
+}
+
+void ResolvedFlow::add_to(Sample& sample) const {
+  const double volume = setup_.cell_count() * setup_.cell * setup_.cell * setup_.cell;
+  const double per_volume = mass_unit_ * setup_.cell * setup_.cell / (step_ * step_ * volume);
+  sample.stress.reynolds -= per_volume * look_.reynolds;
+  sample.kinetic_energy += per_volume * look_.kinetic();
 }
 
 void ResolvedFlow::restore(ThreadTeam& team, const std::vector<double>& populations, std::int64_t steps,

@@ -50,9 +50,14 @@ class ResolvedFlow {
   /// exert on the fluid and on each other through shared cells, kinetic part included.
   Stress stresslet(const ParticleState& state, const Box& box, const FluidCoupling& coupling) const;
 
-  /// Dissipation of the fluid in all cells, 2 E:E, and of the friction in shared cells; per volume, in units of
-  /// viscosity x shear rate^2. Reads the whole lattice.
+  /// Dissipation by the collisions of all cells, by the slip between solid and fluid, and by the friction in shared
+  /// cells (coupling/fluid_energy.hpp); per volume, in units of viscosity x shear rate^2. Reads the whole lattice, once
+  /// for this and `last_look`.
   double dissipation(ThreadTeam& team, const ParticleState& state, const Box& box, const FluidCoupling& coupling);
+  /// What `dissipation` saw of the fluid besides, in lattice units.
+  const FluidEnergy& last_look() const { return look_; }
+  /// Adds the fluid's part of the last look to a sample: its Reynolds stress and kinetic energy.
+  void add_to(Sample& sample) const;
 
   Fluid::Totals totals(ThreadTeam& team) { return fluid_.totals(team); }
   std::vector<double> populations(ThreadTeam& team) { return fluid_.populations(team); }
@@ -65,6 +70,7 @@ class ResolvedFlow {
   double step_, mass_unit_;  ///< of the program, per unit of the lattice
   ResolvedFluid fluid_;
   std::vector<ResolvedSphere> spheres_;
+  FluidEnergy look_;
 };
 
 }  // namespace stresslet

@@ -55,7 +55,10 @@ void ResolvedFluid::prepare(Member& member, const std::vector<ResolvedSphere>& s
         by_slot_[slot].add_to(sum);
     exchange_[k] = sum;
   }
-  if (member.rank() == 0) find_friction();
+  if (member.rank() == 0) {
+    find_friction();
+    find_across();
+  }
   member.barrier();
 }
 
@@ -85,6 +88,18 @@ void ResolvedFluid::find_friction() {
   }
 }
 
+void ResolvedFluid::find_across() {
+  across_.clear();
+  for (std::size_t i = 0; i < covered_.images().size(); ++i) {
+    const SphereImage& image = covered_.images()[i];
+    if (image.velocity_jump == 0) continue;
+    const bool above = (image.velocity_jump > 0) == (lattice_.shear_velocity > 0);
+    across_.push_back({image.sphere, above ? 1 : -1, {}});
+    const Range slots = covered_.slots_of_image(i);
+    for (std::size_t slot = slots.begin; slot < slots.end; ++slot) by_slot_[slot].add_to(across_.back().sums);
+  }
+}
+
 void ResolvedFluid::sweep(Member& member, const std::vector<ResolvedSphere>& spheres) {
   const auto kernel = lattice_.input.force_density == Vec3<double>{} ? resolved_sweep_ : forced_sweep_;
   for (std::size_t b = 0; b < lattice_.blocks.size(); ++b) {
@@ -92,6 +107,11 @@ void ResolvedFluid::sweep(Member& member, const std::vector<ResolvedSphere>& sph
     kernel(lattice_, int(b), covered_, spheres, rows.begin, rows.end);
   }
   finish_step(lattice_, boundaries_, member);
+}
+
+double ResolvedFluid::momentum_across(ThreadTeam& team, const std::vector<ResolvedSphere>& spheres) {
+  FluidOf::prepare(team);
+  return fluid_momentum_across(lattice_) + solid_momentum_across(across_, spheres);
 }
 
 FluidEnergy ResolvedFluid::energy(ThreadTeam& team, const std::vector<ResolvedSphere>& spheres) {

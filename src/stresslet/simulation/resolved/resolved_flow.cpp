@@ -45,6 +45,7 @@ void ResolvedFlow::prepare(Member& member, const ParticleState& state, const Box
     coupling.resistance.resize(n);
     coupling.push.resize(n);
     if (setup_.sheared) fluid_.lattice().shear_offset = box.offset / setup_.cell;
+    count_carried(state, box);
   }
   member.barrier();
   const Range mine = member.share(n);
@@ -69,6 +70,16 @@ void ResolvedFlow::prepare(Member& member, const ParticleState& state, const Box
     coupling.set_friction(std::move(friction), n);
   }
   member.barrier();
+}
+
+/// Spheres that crossed on their way to the present positions, with the velocities that brought them there.
+void ResolvedFlow::count_carried(const ParticleState& state, const Box& box) {
+  ++carried_.steps;
+  for (std::size_t i = 0; i < state.size(); ++i) {
+    const double boxes_up = std::floor((state.y[i] - step_ * state.uy[i]) / box.length.y);
+    if (boxes_up == 0) continue;
+    carried_.momentum -= boxes_up * state.mass(i) * (state.ux[i] - 0.5 * boxes_up * box.velocity_jump());
+  }
 }
 
 void ResolvedFlow::sweep(Member& member, const ParticleState& state) {
@@ -115,6 +126,19 @@ void ResolvedFlow::add_to(Sample& sample) const {
   const double per_volume = mass_unit_ * setup_.cell * setup_.cell / (step_ * step_ * volume);
   sample.stress.reynolds -= per_volume * look_.reynolds;
   sample.kinetic_energy += per_volume * look_.kinetic();
+}
+
+double ResolvedFlow::force_across_plane(ThreadTeam& team, const Box& box, const FluidCoupling& coupling,
+                                        const ParticleState& state) {
+  double force = -mass_unit_ * setup_.cell / (step_ * step_) * fluid_.momentum_across(team, spheres_);
+  for (const PointFriction& f : coupling.friction()) {
+    if (f.jump.x == 0) continue;
+    const std::size_t i = std::size_t(f.first), j = std::size_t(f.second);
+    const Vec3<double> on_first =
+        f.force({state.velocity(i), state.angular_velocity(i)}, {state.velocity(j), state.angular_velocity(j)}, true);
+    force += std::round(f.jump.x / box.velocity_jump()) * on_first.x;
+  }
+  return force;
 }
 
 void ResolvedFlow::restore(ThreadTeam& team, const std::vector<double>& populations, std::int64_t steps,

@@ -33,6 +33,13 @@ struct ResolvedSetup {
   double mach() const;
 };
 
+/// Momentum along x that spheres have carried up through the sheared plane with them, in the frame half-way between its
+/// sides.
+struct CarriedAcross {
+  double momentum = 0;
+  std::int64_t steps = 0;  ///< in as many steps
+};
+
 class ResolvedFlow {
  public:
   explicit ResolvedFlow(const ResolvedSetup& setup);
@@ -59,6 +66,13 @@ class ResolvedFlow {
   /// Adds the fluid's part of the last look to a sample: its Reynolds stress and kinetic energy.
   void add_to(Sample& sample) const;
 
+  /// Force along x of the fluid, the solid and the friction above the sheared plane on those below, in the last
+  /// step.
+  double force_across_plane(ThreadTeam& team, const Box& box, const FluidCoupling& coupling,
+                            const ParticleState& state);
+  const CarriedAcross& carried() const { return carried_; }
+  void set_carried(const CarriedAcross& carried) { carried_ = carried; }
+
   Fluid::Totals totals(ThreadTeam& team) { return fluid_.totals(team); }
   std::vector<double> populations(ThreadTeam& team) { return fluid_.populations(team); }
   void restore(ThreadTeam& team, const std::vector<double>& populations, std::int64_t steps, double offset);
@@ -66,11 +80,14 @@ class ResolvedFlow {
   const ResolvedSetup& setup() const { return setup_; }
 
  private:
+  void count_carried(const ParticleState& state, const Box& box);
+
   ResolvedSetup setup_;
   double step_, mass_unit_;  ///< of the program, per unit of the lattice
   ResolvedFluid fluid_;
   std::vector<ResolvedSphere> spheres_;
   FluidEnergy look_;
+  CarriedAcross carried_;
 };
 
 }  // namespace stresslet

@@ -1,6 +1,7 @@
 #include "stresslet/coupling/covered_runs.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "stresslet/coupling/laws.hpp"
 #include "stresslet/coupling/spans.hpp"
@@ -46,12 +47,14 @@ void CoveredRuns::find_images(const std::vector<ResolvedSphere>& spheres, double
     append_images(grid_, spheres[k], std::int32_t(k), touch_radius_(spheres[k].radius), offset, velocity, images_);
     first_image_.push_back(images_.size());
   }
+  first_slot_.assign(images_.size() + 1, 0);
 }
 
-void CoveredRuns::find_runs() {
-  found_.clear();
-  first_slot_.assign(1, 0);
-  for (std::size_t k = 0; k < images_.size(); ++k) {
+void CoveredRuns::find_runs(Found& found, const Range& images) {
+  found.runs.clear();
+  found.runs_in.assign(first_row_.back(), 0);
+  found.packs_in.assign(first_row_.back(), 0);
+  for (std::size_t k = images.begin; k < images.end; ++k) {
     const SphereImage& image = images_[k];
     for_each_row_of_sphere(image.centre, touch_radius_(image.radius), full_radius_(image.radius),
                            [&](const RowSpan& row) {
@@ -64,51 +67,72 @@ void CoveredRuns::find_runs() {
                                const auto [block_x, local_x] = places_[0][std::size_t(x)];
                                const int block = block_x + block_y + block_z, aligned = local_x / width * width;
                                const Cells global{x - (local_x - aligned), row.y, row.z};
-                               found_.push_back({.image = std::int32_t(k),
-                                                 .slot = std::int32_t(found_.size()),
-                                                 .block = block,
-                                                 .x = aligned,
-                                                 .y = y,
-                                                 .z = z,
-                                                 .packs = (next - global[0] + width - 1) / width,
-                                                 .global = global,
-                                                 .cells = {x, next},
-                                                 .full = row.full,
-                                                 .first_pack = 0});
+                               found.runs.push_back({.image = std::int32_t(k),
+                                                     .slot = std::int32_t(found.runs.size()),
+                                                     .block = block,
+                                                     .x = aligned,
+                                                     .y = y,
+                                                     .z = z,
+                                                     .packs = (next - global[0] + width - 1) / width,
+                                                     .global = global,
+                                                     .cells = {x, next},
+                                                     .full = row.full,
+                                                     .first_pack = 0});
+                               const CoveredRun& run = found.runs.back();
+                               const std::size_t in_row = row_of(run);
+                               ++found.runs_in[in_row];
+                               found.packs_in[in_row] += std::uint32_t(run.packs);
                                x = next;
                              }
                            });
-    first_slot_.push_back(found_.size());
+    first_slot_[k + 1] = found.runs.size();
   }
 }
 
-/// Counting sort; runs of a row stay in the order of their slots.
-void CoveredRuns::sort_into_rows() {
-  first_run_.assign(first_row_.back() + 1, 0);
-  const auto row_of = [&](const CoveredRun& run) {
-    const std::size_t block = std::size_t(run.block);
-    return first_row_[block] + std::size_t(run.y + boxes_[block].size[1] * run.z);
-  };
-  for (const CoveredRun& run : found_) ++first_run_[row_of(run) + 1];
-  for (std::size_t row = 1; row < first_run_.size(); ++row) first_run_[row] += first_run_[row - 1];
-  next_ = first_run_;
-  runs_.resize(found_.size());
-  for (const CoveredRun& run : found_) runs_[next_[row_of(run)]++] = run;
-  std::uint32_t packs = 0;
-  for (CoveredRun& run : runs_) {
-    run.first_pack = packs;
-    packs += std::uint32_t(run.packs);
+/// From the numbers of runs and packs to the places where each member's begin; members one after the other in a row.
+void CoveredRuns::divide_rows(std::size_t members) {
+  first_run_.resize(first_row_.back() + 1);
+  std::uint32_t runs = 0, packs = 0;
+  for (std::size_t row = 0; row < first_row_.back(); ++row) {
+    first_run_[row] = runs;
+    for (std::size_t m = 0; m < members; ++m) {
+      runs += std::exchange(found_[m].runs_in[row], runs);
+      packs += std::exchange(found_[m].packs_in[row], packs);
+    }
   }
+  first_run_.back() = runs;
+  runs_.resize(runs);
   if (drag_.size() < packs * pack_width) drag_.resize(packs * pack_width * 5 / 4);
+  found_before_.assign(1, 0);
+  for (std::size_t m = 0; m < members; ++m) found_before_.push_back(found_before_.back() + found_[m].runs.size());
+}
+
+/// Runs of a row stay in the order of their slots.
+void CoveredRuns::sort_into_rows(Found& found, const Range& images, std::size_t first_slot) {
+  for (std::size_t k = images.begin; k < images.end; ++k) first_slot_[k + 1] += first_slot;
+  for (CoveredRun& run : found.runs) {
+    const std::size_t row = row_of(run);
+    run.slot += std::int32_t(first_slot);
+    run.first_pack = found.packs_in[row];
+    found.packs_in[row] += std::uint32_t(run.packs);
+    runs_[found.runs_in[row]++] = run;
+  }
 }
 
 void CoveredRuns::place(Member& member, const std::vector<ResolvedSphere>& spheres, double shear_offset,
                         double shear_velocity) {
-  if (member.rank() == 0) {
+  const std::size_t rank = std::size_t(member.rank()), members = std::size_t(member.size());
+  if (rank == 0) {
     find_images(spheres, shear_offset, shear_velocity);
-    find_runs();
-    sort_into_rows();
+    found_.resize(members);
   }
+  member.barrier();
+  const Range images = member.share(images_.size());
+  find_runs(found_[rank], images);
+  member.barrier();
+  if (rank == 0) divide_rows(members);
+  member.barrier();
+  sort_into_rows(found_[rank], images, found_before_[rank]);
   member.barrier();
 }
 

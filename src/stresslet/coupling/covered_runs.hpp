@@ -63,9 +63,21 @@ class CoveredRuns {
   const double* drag(const CoveredRun& run) const { return drag_.data() + std::size_t(run.first_pack) * pack_width; }
 
  private:
+  /// What a member found of its share of the images. Sorted into rows by counting, in two passes: how many runs and
+  /// packs every member has in every row, then where each begins.
+  struct Found {
+    std::vector<CoveredRun> runs;                  ///< by slot, counted from 0
+    std::vector<std::uint32_t> runs_in, packs_in;  ///< [row]: numbers, afterwards the place of the next one
+  };
+
   void find_images(const std::vector<ResolvedSphere>& spheres, double offset, double velocity);
-  void find_runs();
-  void sort_into_rows();
+  void find_runs(Found& found, const Range& images);
+  void divide_rows(std::size_t members);
+  void sort_into_rows(Found& found, const Range& images, std::size_t first_slot);
+  std::size_t row_of(const CoveredRun& run) const {
+    const std::size_t block = std::size_t(run.block);
+    return first_row_[block] + std::size_t(run.y + boxes_[block].size[1] * run.z);
+  }
   template <class Fraction, class Weight>
   void fill(const Range& runs);
 
@@ -77,8 +89,10 @@ class CoveredRuns {
       places_;  // per axis and cell: contribution to the block's number, place
   std::vector<SphereImage> images_;
   std::vector<std::size_t> first_image_, first_slot_;
-  std::vector<std::uint32_t> first_run_, next_;  ///< [row]
-  std::vector<CoveredRun> found_, runs_;         ///< by slot, by row
+  std::vector<std::uint32_t> first_run_;   ///< [row]
+  std::vector<Found> found_;               ///< [member]
+  std::vector<std::size_t> found_before_;  ///< [member]: slots of the members before
+  std::vector<CoveredRun> runs_;           ///< by row
   AlignedVector<double> drag_;
   double (*touch_radius_)(double) = nullptr;
   double (*full_radius_)(double) = nullptr;

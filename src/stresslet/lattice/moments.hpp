@@ -8,6 +8,7 @@
 /// Equilibrium, second order in the velocity (Qian, d'Humieres & Lallemand, Europhys. Lett. 17 (1992) 479):
 ///   feq_i = w_i [rho + rho (3 c.u + 9/2 (c.u)^2 - 3/2 u^2)],   speed of sound squared 1/3.
 #include <array>
+#include <type_traits>
 #include <utility>
 
 #include "stresslet/base/unroll.hpp"
@@ -123,13 +124,15 @@ template <class Populations>
 }
 
 /// sum g c c over all populations; of deviations from the rest state, where g are populations.
-template <class Stencil, class R>
-[[gnu::always_inline]] inline SymTensor3<R> second_moment(const CellPopulations<Stencil, R>& g) {
+template <class Populations>
+[[gnu::always_inline]] inline auto second_moment(const Populations& g) {
+  using Stencil = typename Populations::Stencil;
+  using R = std::decay_t<decltype(g.read_rest())>;
   const R zero = as<R>(0);
   SymTensor3<R> p{zero, zero, zero, zero, zero, zero};
   unroll<Stencil::pairs>([&](auto k) __attribute__((always_inline)) {
     constexpr auto c = Stencil::velocity[first_of_pair(k)];
-    const R even = g.pair[k].even;
+    const R even = g.template read<k>().even;
     if constexpr (c[0] != 0) p.xx += even;
     if constexpr (c[1] != 0) p.yy += even;
     if constexpr (c[2] != 0) p.zz += even;

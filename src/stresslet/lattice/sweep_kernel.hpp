@@ -2,61 +2,16 @@
 /// The body of the kernel of sweep.hpp, instantiated in one source file per stencil and precision (sweep_*.cpp): each
 /// holds every pair of a collision and a forcing law and takes its minute to compile.
 #include <algorithm>
-#include <bit>
 
-#include "stresslet/exec/simd.hpp"
 #include "stresslet/lattice/collide.hpp"
 #include "stresslet/lattice/laws.hpp"
+#include "stresslet/lattice/pack_in_place.hpp"
 #include "stresslet/lattice/sweep.hpp"
 
 namespace stresslet {
 
 // Bytes ahead of use at which a line is asked for; without, the kernel runs at half its speed or less.
 constexpr std::ptrdiff_t prefetch_distance = 256;
-
-template <class Stencil, class T>
-using Sources = std::array<T*, Stencil::size>;
-
-/// The incoming populations of one pack of cells where they lie in memory; outgoing ones replace them there. Every
-/// place belongs to one cell (populations.hpp), so a pair may be read again until it is written.
-template <class Stencil_, class T>
-class PackInPlace {
- public:
-  using Stencil = Stencil_;
-  using R = PackOf<T>;
-
-  [[gnu::always_inline]] PackInPlace(const Sources<Stencil, T>& source, std::ptrdiff_t first)
-      : source_(source), first_(first) {}
-
-  [[gnu::always_inline]] R read_rest() const { return load(0); }
-  template <int k>
-  [[gnu::always_inline]] EvenOdd<R> read() const {
-    const R along = load(first_of_pair(k)), against = load(first_of_pair(k) + 1);
-    return {along + against, along - against};
-  }
-  [[gnu::always_inline]] void write_rest(const R& value) { store(0, value); }
-  template <int k>
-  [[gnu::always_inline]] void write(const EvenOdd<R>& value) {
-    const R half_even = as<R>(0.5) * value.even, half_odd = as<R>(0.5) * value.odd;
-    store(first_of_pair(k) + 1, half_even + half_odd);
-    store(first_of_pair(k), half_even - half_odd);
-  }
-
- private:
-  // Without these the compiler takes the way through memory from a load to a register.
-  typedef T Register __attribute__((vector_size(sizeof(R))));
-  typedef T Unaligned __attribute__((vector_size(sizeof(R)), aligned(sizeof(T)), may_alias));
-
-  [[gnu::always_inline]] R load(int i) const {
-    return std::bit_cast<R>(Register(*reinterpret_cast<const Unaligned*>(source_[i] + first_)));
-  }
-  [[gnu::always_inline]] void store(int i, const R& value) const {
-    *reinterpret_cast<Unaligned*>(source_[i] + first_) = std::bit_cast<Register>(value);
-  }
-
-  const Sources<Stencil, T>& source_;
-  std::ptrdiff_t first_;
-};
 
 /// Where the last cells of a row are stepped that do not fill a pack, so that they go through the same instructions as
 /// all others: a compiler that fuses multiplications and additions need not do so alike in two copies of the code.
@@ -93,18 +48,15 @@ class RowSweep {
                                   const SweepInput& input)
       : rates_(input.rates),
         force_{{as<R>(input.force_density.x), as<R>(input.force_density.y), as<R>(input.force_density.z)},
-               as<R>(input.rates.odd)} {
-    for (int i = 0; i < Stencil::size; ++i) source_[i] = populations.source(i, arrangement);
-  }
+               as<R>(input.rates.odd)},
+        source_(sources_of(populations, arrangement)) {}
 
   /// `first` is the index of the row's first cell.
   [[gnu::always_inline]] void start(std::size_t first) { row_ = std::ptrdiff_t(first); }
 
   /// Asks for the line ahead of cell `x` of every population.
   [[gnu::always_inline]] void prefetch(std::ptrdiff_t x) const {
-    unroll<Stencil::size>([&](auto i) __attribute__((always_inline)) {
-      __builtin_prefetch(reinterpret_cast<const char*>(source_[i] + row_ + x) + prefetch_distance, 1);
-    });
+    prefetch_line<Stencil>(source_, row_ + x, prefetch_distance);
   }
 
   /// Steps the cells [x, x + width), or only the first `cells` of them, with `collide_cells(f, rates, force)`.

@@ -11,9 +11,9 @@
 namespace stresslet {
 
 /// Pi_neq of one cell; `velocity` is u*.
-template <class Stencil, class R>
-[[gnu::always_inline]] inline SymTensor3<R> non_equilibrium_stress(const CellPopulations<Stencil, R>& f,
-                                                                   const Vec3<R>& velocity) {
+template <class Populations, class R>
+[[gnu::always_inline]] inline SymTensor3<R> non_equilibrium_stress(const Populations& f, const Vec3<R>& velocity) {
+  using Stencil = typename Populations::Stencil;
   const Moments<R> m = moments_of(f);
   const R pressure = as<R>(speed_of_sound_squared) * m.density_deviation;
   const SymTensor3<R> isotropic{pressure, pressure, Stencil::dimensions == 3 ? pressure : as<R>(0),

@@ -8,6 +8,7 @@
 #include "stresslet/base/constants.hpp"
 #include "stresslet/simulation/any_case.hpp"
 #include "stresslet/simulation/plan.hpp"
+#include "stresslet/simulation/resolved/fluid_sample.hpp"
 #include "stresslet/simulation/resolved/resolved_flow.hpp"
 #include "stresslet/simulation/step.hpp"
 
@@ -103,17 +104,57 @@ TEST(ResolvedSuspension, ShearedLatticeDissipatesThePowerOfItsStress) {
   }
 }
 
-/// The same of spheres close enough for films, shared cells and contacts, out of the steady state.
-TEST(ResolvedSuspension, DenseDissipatesThePowerOfItsStress) {
+Suspension dense_suspension() {
   const Case settled = std::get<Case>(
       read_any_case_text("fidelity = \"resolved\"\n", "dense",
                          {"suspension.solid_fraction=0.4", "suspension.count=24", "suspension.sizes.law=monodisperse",
                           "run.strain=1", "resolution.cells_per_diameter=8"}));
-  const Plan plan = make_plan(settled);
-  Suspension s = make_suspension(settled, plan, {});
+  return make_suspension(settled, make_plan(settled), {});
+}
+
+/// The same of spheres close enough for films, shared cells and contacts, out of the steady state.
+TEST(ResolvedSuspension, DenseDissipatesThePowerOfItsStress) {
+  Suspension s = dense_suspension();
   ThreadTeam team(1);
   start(s, team);
   EXPECT_LT(std::abs(imbalance(s, team, 0.02)), 0.01);
+}
+
+struct ThroughPlane {
+  double plane, summed;  ///< relative viscosities, means
+};
+ThroughPlane through_plane(Suspension& s, ThreadTeam& team, double from, double until) {
+  while (s.strain < from) step(s, team);
+  s.resolved->set_carried({});
+  ThroughPlane sum{0, 0};
+  int samples = 0;
+  while (s.strain < until) {
+    for (int k = 0; k < 8; ++k) step(s, team);
+    Sample m = sample(s, team);
+    s.resolved->add_to(m);
+    sum.plane += sample_fluid(s, team).viscosity_through_plane;
+    sum.summed += 1 + m.stress.total().xy;
+    ++samples;
+  }
+  return {sum.plane / samples, sum.summed / samples};
+}
+
+/// The flux of momentum through the sheared plane holds no first moments; layers of spheres are cut by the plane.
+TEST(ResolvedSuspension, ShearedLatticeCarriesItsStressThroughThePlane) {
+  Suspension s = sheared_lattice(0.45 * spacing, {"resolution.cells_per_diameter=6.91"});
+  ThreadTeam team(1);
+  start(s, team);
+  const ThroughPlane found = through_plane(s, team, 0.06, 0.12);
+  EXPECT_NEAR(found.plane / found.summed, 1, 2e-3);
+}
+
+/// With films, shared cells and contacts across the plane. Momentum that is stored meanwhile shows as a difference.
+TEST(ResolvedSuspension, DenseCarriesItsStressThroughThePlane) {
+  Suspension s = dense_suspension();
+  ThreadTeam team(1);
+  start(s, team);
+  const ThroughPlane found = through_plane(s, team, 0.04, 0.12);
+  EXPECT_NEAR(found.plane / found.summed, 1, 5e-3);
 }
 
 /// Momentum of fluid and particles together stays what it is; spheres close enough for films and shared cells.

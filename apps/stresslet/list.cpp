@@ -47,7 +47,8 @@ void add_list(CLI::App& app, ExitCode&) {
     if (*what == "keys") {
       fmt::print("{}", input_reference_markdown());
     } else if (*what == "columns") {
-      for (const Column& c : series_columns()) fmt::print("{:<40}{:<26}{}\n", c.name, c.unit, c.description);
+      for (const Column& c : series_columns(FluidColumns::density_and_plane))
+        fmt::print("{:<40}{:<26}{}\n", c.name, c.unit, c.description);
     } else {
       print_models();
       print_laws<LubricationLaws>("pair lubrication", "model.lubrication");

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "complaint_of.hpp"
+#include "stresslet/simulation/any_case.hpp"
 
 namespace stresslet {
 namespace {
@@ -39,6 +40,10 @@ TEST(ReadCase, FillsInTheDocumentedDefaults) {
   EXPECT_FALSE(read.run.average_from);
   EXPECT_EQ(read.run.threads, 0);
   EXPECT_EQ(read.output.sample_every, 0.001);
+  EXPECT_EQ(
+      std::get<Case>(read_any_case_text(std::string("fidelity = \"resolved\"\n") + smallest_input, "case.toml", {}))
+          .output.sample_every,
+      0.01);
   EXPECT_TRUE(read.output.csv && read.output.xyz && read.output.paraview);
 }
 

@@ -9,6 +9,7 @@
 #include "stresslet/base/error.hpp"
 #include "stresslet/simulation/any_case.hpp"
 #include "stresslet/simulation/plan.hpp"
+#include "stresslet/simulation/resolved/fluid_sample.hpp"
 #include "stresslet/simulation/resolved/resolved_flow.hpp"
 #include "stresslet/simulation/step.hpp"
 
@@ -72,6 +73,97 @@ TEST(LongResolvedSuspension, ShearedLatticeCutByTheFace) {
   start(s, team);
   for (const Exact& exact : {eighth, Exact{0.25, 1.25616, -0.03634, 0.02127}, Exact{0.5, 1.26973, 0, 0}})
     expect_rheology(s, team, exact);
+}
+
+/// Power of the stress less what is dissipated and what is stored, over the power; means over [from, strain].
+double imbalance(Suspension& s, ThreadTeam& team, double from) {
+  const auto measured = [&] {
+    Sample m = sample(s, team);
+    s.resolved->add_to(m);
+    return m;
+  };
+  while (s.strain < from) step(s, team);
+  const Sample begin = measured();
+  double stress = 0, dissipated = 0;
+  Sample m = begin;
+  constexpr int samples = 8, steps_between = 12;
+  const double start_strain = s.strain;
+  for (int n = 0; n < samples; ++n) {
+    for (int k = 0; k < steps_between; ++k) step(s, team);
+    m = measured();
+    stress += (1 + m.stress.total().xy) / samples;
+    dissipated += (1 + m.stress.stresslet.xy + m.dissipation()) / samples;
+  }
+  const double stored = m.elastic_energy + m.kinetic_energy - begin.elastic_energy - begin.kinetic_energy;
+  return (dissipated + stored / (s.strain - start_strain)) / stress - 1;
+}
+
+/// Energy: what the stress puts in is dissipated by collisions and slip, in steady Stokes flow all of it.
+TEST(ResolvedSuspension, ShearedLatticeDissipatesThePowerOfItsStress) {
+  for (const char* law : {"superposition", "bounce-back"}) {
+    SCOPED_TRACE(law);
+    std::vector<std::string> keys{"resolution.cells_per_diameter=6.91",
+                                  "resolution.coupling=\"" + std::string(law) + "\""};
+    if (std::string(law) == "bounce-back")
+      keys.insert(keys.end(), {"resolution.solid_weight=\"noble-torczynski\"", "resolution.correction=\"none\""});
+    Suspension s = sheared_lattice(0.3, keys);
+    ThreadTeam team(1);
+    start(s, team);
+    EXPECT_LT(std::abs(imbalance(s, team, 0.06)), 5e-4);
+  }
+}
+
+Suspension dense_suspension() {
+  const Case settled = std::get<Case>(
+      read_any_case_text("fidelity = \"resolved\"\n", "dense",
+                         {"suspension.solid_fraction=0.4", "suspension.count=24", "suspension.sizes.law=monodisperse",
+                          "run.strain=1", "resolution.cells_per_diameter=8"}));
+  return make_suspension(settled, make_plan(settled), {});
+}
+
+/// The same of spheres close enough for films, shared cells and contacts, out of the steady state.
+TEST(ResolvedSuspension, DenseDissipatesThePowerOfItsStress) {
+  Suspension s = dense_suspension();
+  ThreadTeam team(1);
+  start(s, team);
+  EXPECT_LT(std::abs(imbalance(s, team, 0.02)), 0.01);
+}
+
+struct ThroughPlane {
+  double plane, summed;  ///< relative viscosities, means
+};
+ThroughPlane through_plane(Suspension& s, ThreadTeam& team, double from, double until) {
+  while (s.strain < from) step(s, team);
+  s.resolved->set_carried({});
+  ThroughPlane sum{0, 0};
+  int samples = 0;
+  while (s.strain < until) {
+    for (int k = 0; k < 8; ++k) step(s, team);
+    Sample m = sample(s, team);
+    s.resolved->add_to(m);
+    sum.plane += sample_fluid(s, team).viscosity_through_plane;
+    sum.summed += 1 + m.stress.total().xy;
+    ++samples;
+  }
+  return {sum.plane / samples, sum.summed / samples};
+}
+
+/// The flux of momentum through the sheared plane holds no first moments; layers of spheres are cut by the plane.
+TEST(ResolvedSuspension, ShearedLatticeCarriesItsStressThroughThePlane) {
+  Suspension s = sheared_lattice(0.45 * spacing, {"resolution.cells_per_diameter=6.91"});
+  ThreadTeam team(1);
+  start(s, team);
+  const ThroughPlane found = through_plane(s, team, 0.06, 0.12);
+  EXPECT_NEAR(found.plane / found.summed, 1, 2e-3);
+}
+
+/// With films, shared cells and contacts across the plane. Momentum that is stored meanwhile shows as a difference.
+TEST(ResolvedSuspension, DenseCarriesItsStressThroughThePlane) {
+  Suspension s = dense_suspension();
+  ThreadTeam team(1);
+  start(s, team);
+  const ThroughPlane found = through_plane(s, team, 0.04, 0.12);
+  EXPECT_NEAR(found.plane / found.summed, 1, 5e-3);
 }
 
 /// Momentum of fluid and particles together stays what it is; spheres close enough for films and shared cells. The same

@@ -20,6 +20,7 @@ ResolvedFluid::ResolvedFluid(const FluidSetup& setup, const CouplingSetup& coupl
     : FluidOf(with_force(setup)),
       resolved_sweep_(resolved_sweep_for<Stencil>(setup.collision, coupling.coupling_operator, false)),
       forced_sweep_(resolved_sweep_for<Stencil>(setup.collision, coupling.coupling_operator, true)),
+      row_energy_(row_energy_for<Stencil>(setup.collision, coupling.coupling_operator)),
       covered_(setup.grid, {coupling.solid.fraction, coupling.solid.weight, setup.rates.relaxation_time}) {
   CouplingOperators::dispatch(coupling.coupling_operator, [&](auto law) {
     using Law = typename decltype(law)::type;
@@ -54,7 +55,10 @@ void ResolvedFluid::prepare(Member& member, const std::vector<ResolvedSphere>& s
         by_slot_[slot].add_to(sum);
     exchange_[k] = sum;
   }
-  if (member.rank() == 0) find_friction();
+  if (member.rank() == 0) {
+    find_friction();
+    find_across();
+  }
   member.barrier();
 }
 
@@ -84,6 +88,18 @@ void ResolvedFluid::find_friction() {
   }
 }
 
+void ResolvedFluid::find_across() {
+  across_.clear();
+  for (std::size_t i = 0; i < covered_.images().size(); ++i) {
+    const SphereImage& image = covered_.images()[i];
+    if (image.velocity_jump == 0) continue;
+    const bool above = (image.velocity_jump > 0) == (lattice_.shear_velocity > 0);
+    across_.push_back({image.sphere, above ? 1 : -1, {}});
+    const Range slots = covered_.slots_of_image(i);
+    for (std::size_t slot = slots.begin; slot < slots.end; ++slot) by_slot_[slot].add_to(across_.back().sums);
+  }
+}
+
 void ResolvedFluid::sweep(Member& member, const std::vector<ResolvedSphere>& spheres) {
   const auto kernel = lattice_.input.force_density == Vec3<double>{} ? resolved_sweep_ : forced_sweep_;
   for (std::size_t b = 0; b < lattice_.blocks.size(); ++b) {
@@ -91,6 +107,32 @@ void ResolvedFluid::sweep(Member& member, const std::vector<ResolvedSphere>& sph
     kernel(lattice_, int(b), covered_, spheres, rows.begin, rows.end);
   }
   finish_step(lattice_, boundaries_, member);
+}
+
+double ResolvedFluid::momentum_across(ThreadTeam& team, const std::vector<ResolvedSphere>& spheres) {
+  FluidOf::prepare(team);
+  return fluid_momentum_across(lattice_) + solid_momentum_across(across_, spheres);
+}
+
+FluidEnergy ResolvedFluid::energy(ThreadTeam& team, const std::vector<ResolvedSphere>& spheres) {
+  std::vector<FluidEnergy> by_row;
+  std::vector<std::size_t> first_row(1, 0);
+  for (const auto& block : lattice_.blocks) first_row.push_back(first_row.back() + block.populations.layout().rows());
+  by_row.resize(first_row.back());
+  team.run([&](Member& member) {
+    prepare_step(lattice_, boundaries_, member);
+    covered_.place(member, spheres, lattice_.shear_offset, lattice_.shear_velocity);
+    for (std::size_t b = 0; b < lattice_.blocks.size(); ++b) {
+      const Range rows = member.share(lattice_.blocks[b].populations.layout().rows());
+      for (std::size_t row = rows.begin; row < rows.end; ++row) {
+        covered_.fill_drags(covered_.runs_of_row(int(b), row));
+        by_row[first_row[b] + row] = row_energy_(lattice_, int(b), row, covered_, spheres);
+      }
+    }
+  });
+  FluidEnergy sum;
+  for (const FluidEnergy& row : by_row) add_row(sum, row);
+  return sum;
 }
 
 }  // namespace stresslet

@@ -15,7 +15,9 @@
 
 #include "stresslet/coupling/covered_runs.hpp"
 #include "stresslet/coupling/exchange_sums.hpp"
+#include "stresslet/coupling/fluid_energy.hpp"
 #include "stresslet/coupling/resolved_sweep.hpp"
+#include "stresslet/coupling/sheared_plane.hpp"
 #include "stresslet/coupling/sphere_links.hpp"
 #include "stresslet/lattice/fluid_of.hpp"
 #include "stresslet/lattice/stencil/d3q19.hpp"
@@ -52,20 +54,33 @@ class ResolvedFluid : private FluidOf<D3Q19, double> {
   const ExchangeSums& exchange(std::size_t k) const { return exchange_[k]; }
   /// After `prepare`: friction of spheres that share cells, one entry per pair of images, lumped at its centroid.
   const std::vector<PointFriction>& friction() const { return friction_; }
+  /// After `prepare`: what the spheres exchange with cells behind the sheared plane.
+  const std::vector<ExchangeAcross>& across() const { return across_; }
 
   /// After `prepare`: which cells the spheres cover.
   const CoveredRuns& covered() const { return covered_; }
 
+  /// Between steps: the energy of the fluid with `spheres` where the next step will have them. What `covered` says is
+  /// then of these.
+  FluidEnergy energy(ThreadTeam& team, const std::vector<ResolvedSphere>& spheres);
+
+  /// Between steps: momentum along x that fluid and solid, with the velocities of the last sweep, carried up through
+  /// the sheared plane in the last step.
+  double momentum_across(ThreadTeam& team, const std::vector<ResolvedSphere>& spheres);
+
  private:
   void find_friction();
+  void find_across();
 
   ResolvedSweep<Stencil> resolved_sweep_, forced_sweep_;
+  RowEnergy<Stencil> row_energy_;
   CoveredRuns covered_;
   ExchangeFactors factors_;
   std::vector<RunExchange> by_slot_;
   std::vector<ExchangeSums> exchange_;
   std::vector<std::vector<SharedRun>> shared_;  ///< by thread
   std::vector<PointFriction> friction_;
+  std::vector<ExchangeAcross> across_;
 };
 
 }  // namespace stresslet

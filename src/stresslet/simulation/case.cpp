@@ -1,5 +1,7 @@
 #include "stresslet/simulation/case.hpp"
 
+#include <algorithm>
+
 #include "stresslet/dem/laws.hpp"
 #include "stresslet/io/schema_read.hpp"
 #include "stresslet/io/schema_text.hpp"
@@ -12,6 +14,7 @@ namespace {
 constexpr double default_stokes = 0.1;
 constexpr std::int64_t default_count = 1000, resolved_count = 300;
 constexpr std::string_view default_model = "CLM-S";
+constexpr double default_sampling = 0.001, default_resolved_sampling = 0.01;  // strain
 
 Case read_document(InputDocument document, const std::vector<std::string>& overrides) {
   for (const std::string& assignment : overrides) document.override_key(assignment);
@@ -70,6 +73,9 @@ void settle(Case& settled) {
     NormalContactLaws::dispatch(contact.normal,
                                 [&](auto law) { contact.stiffness = decltype(law)::type::default_stiffness; });
   if (!settled.units && !settled.flow.stokes) settled.flow.stokes = default_stokes;
+  if (!settled.output.sample_every)
+    settled.output.sample_every =
+        std::min(settled.resolved() ? default_resolved_sampling : default_sampling, settled.run.strain);
   if (settled.resolved()) {
     if (!settled.flow.reynolds) settled.flow.reynolds = settled.stokes_number();
     if (!settled.resolution) settled.resolution.emplace();

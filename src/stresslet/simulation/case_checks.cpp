@@ -242,9 +242,9 @@ void check_run(const Case& read) {
     refuse(read.where("run.average_from"),
            fmt::format("run.average_from = {} is not below run.strain = {}", *read.run.average_from, read.run.strain),
            "the run would end before the first mean is taken", "lower it, or raise run.strain");
-  if (read.output.sample_every > read.run.strain)
+  if (read.output.sample_every && *read.output.sample_every > read.run.strain)
     refuse(read.where("output.sample_every"),
-           fmt::format("output.sample_every = {} exceeds run.strain = {}", read.output.sample_every, read.run.strain),
+           fmt::format("output.sample_every = {} exceeds run.strain = {}", *read.output.sample_every, read.run.strain),
            "the run would end before the first sample", "lower it, or raise run.strain");
 }
 

@@ -113,7 +113,7 @@ struct RunInput {
 };
 
 struct OutputInput {
-  double sample_every = 0.001;
+  std::optional<double> sample_every;
   double snapshot_every = 0.5;
   std::int64_t profile_bins = 20;
   double commit_every = 10;
@@ -121,7 +121,8 @@ struct OutputInput {
 
   template <class V>
   void describe(V& v) {
-    v.key("sample_every", sample_every, defaulted, above(0), "1", "Strain between two samples of the series");
+    v.key("sample_every", sample_every, otherwise("`0.001`; `0.01` in a resolved fluid"), above(0), "1",
+          "Strain between two samples of the series; in a resolved fluid each reads the whole lattice");
     v.key("snapshot_every", snapshot_every, defaulted, above(0), "1", "Strain between two snapshots of all particles");
     v.key("profile_bins", profile_bins, defaulted, between(1, 10'000), "1",
           "Layers across the gradient in which profiles are averaged");

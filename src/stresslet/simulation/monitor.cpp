@@ -6,12 +6,16 @@
 #include <numeric>
 
 #include "stresslet/base/error.hpp"
+#include "stresslet/lattice/moments.hpp"
+#include "stresslet/simulation/cell_defect.hpp"
+#include "stresslet/simulation/resolved/resolved_flow.hpp"
 
 namespace stresslet {
 
 namespace {
 
 constexpr double window = 0.2;
+constexpr double largest_sphere_mach = 0.3;  // density changes with its square
 
 double mean_from(const std::vector<double>& values, std::size_t first) {
   return std::accumulate(values.begin() + long(first), values.end(), 0.0) / double(values.size() - first);
@@ -54,6 +58,32 @@ void check_finite(const Suspension& s) {
     if (!finite(s.state.position(i))) fail(i, "position", s.state.position(i));
     if (!finite(s.state.velocity(i))) fail(i, "velocity", s.state.velocity(i));
     if (!finite(s.state.angular_velocity(i))) fail(i, "angular velocity", s.state.angular_velocity(i));
+  }
+}
+
+void check_fluid(const Suspension& s) {
+  const FluidEnergy& look = s.resolved->last_look();
+  const bool compressed = look.highest_density - 1 > 1 - look.lowest_density;
+  const auto complaint =
+      cell_defect(look.worst_cell, compressed ? look.highest_density : look.lowest_density, look.finite,
+                  fmt::format("strain {:.6g}", s.strain),
+                  "start a new run with a smaller resolution.relaxation_time or flow.reynolds, or with more "
+                  "resolution.cells_per_diameter");
+  if (complaint) throw NumericalFailure(*complaint);
+}
+
+void check_sphere_speeds(const Suspension& s) {
+  const double to_mach = s.time.step / (s.resolved->setup().cell * std::sqrt(speed_of_sound_squared));
+  for (std::size_t i = 0; i < s.state.size(); ++i) {
+    const double mach = to_mach * norm(s.state.velocity(i));
+    if (!(mach > largest_sphere_mach)) continue;
+    throw NumericalFailure(
+        {fmt::format("strain {:.6g}", s.strain),
+         fmt::format("particle {} moves at Mach number {:.3g}", s.state.id[i], mach),
+         fmt::format("above {} the lattice does not follow a solid: the fluid is compressed and the forces are wrong",
+                     largest_sphere_mach),
+         "look at the last snapshot around this particle; start a new run with a smaller resolution.relaxation_time "
+         "or flow.reynolds"});
   }
 }
 

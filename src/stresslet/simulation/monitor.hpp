@@ -12,6 +12,12 @@ void check_energy_balance(const Series& series, double tolerance);
 /// Position, velocity and angular velocity of every particle are finite.
 void check_finite(const Suspension& s);
 
+/// Resolved fluid, after `sample`: the density of every cell is finite and near 1.
+void check_fluid(const Suspension& s);
+
+/// Resolved fluid: no sphere is faster than the lattice bears.
+void check_sphere_speeds(const Suspension& s);
+
 /// The last velocity solve reached its tolerance.
 void check_solver(const Suspension& s);
 

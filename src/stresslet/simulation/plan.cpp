@@ -71,7 +71,7 @@ Physics make_physics(const Case& c, double solid_fraction) {
 
 /// The default step, shortened so that a whole number of steps falls between two samples.
 double settled_step(const Case& c, const StepBounds& bounds) {
-  if (!c.time.step) return c.output.sample_every / std::ceil(c.output.sample_every / bounds.chosen - 1e-9);
+  if (!c.time.step) return *c.output.sample_every / std::ceil(*c.output.sample_every / bounds.chosen - 1e-9);
   if (*c.time.step <= bounds.largest) return *c.time.step;
   throw InputError(
       {c.where("time.step"),

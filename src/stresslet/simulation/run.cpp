@@ -16,6 +16,7 @@
 #include "stresslet/simulation/monitor.hpp"
 #include "stresslet/simulation/plan.hpp"
 #include "stresslet/simulation/progress.hpp"
+#include "stresslet/simulation/resolved/fluid_sample.hpp"
 #include "stresslet/simulation/resolved/resolved_flow.hpp"
 #include "stresslet/simulation/run_checkpoint.hpp"
 #include "stresslet/simulation/run_parts.hpp"
@@ -68,13 +69,24 @@ bool passed(const Run& run, double interval) {
 
 void take_sample(Run& run) {
   Suspension& s = run.suspension;
+  Sample m = sample(s, run.team);
+  if (s.resolved) check_fluid(s);
   check_finite(s);
   check_solver(s);
-  const Sample m = sample(s, run.team);
-  run.results.add_sample(run.series.add(s.strain, m, double(run.plan.count()), s.solver_report.iterations));
-  if (s.box.shear_rate > 0 && !s.resolved) check_energy_balance(run.series, run.settled.run.monitor_tolerance);
+  FluidSample fluid;
+  if (s.resolved) {
+    s.resolved->add_to(m);
+    fluid = sample_fluid(s, run.team);
+  }
+  run.results.add_sample(run.series.add(s.strain, m, double(run.plan.count()), s.solver_report.iterations, fluid));
+  if (s.box.shear_rate > 0) check_energy_balance(run.series, run.settled.run.monitor_tolerance);
   if (s.strain >= run.settled.run.average_from.value_or(profile_from_without_average) - strain_round_off)
     run.profile.add(s.state.y, s.state.ux, s.state.radius);
+}
+
+FluidColumns fluid_columns(const Plan& plan) {
+  if (!plan.resolved) return FluidColumns::none;
+  return plan.resolved->sheared ? FluidColumns::density_and_plane : FluidColumns::density;
 }
 
 void check_explicit_stability(Run& run) {
@@ -87,6 +99,7 @@ void commit(Run& run) {
   Checkpoint checkpoint = make_checkpoint(run.suspension);
   add_run_state(checkpoint, run.profile.sums(), run.cost());
   const Suspension& s = run.suspension;
+  if (s.resolved) add_carried(checkpoint, s.resolved->carried());
   if (s.resolved) write_populations(run.results.path(), s.steps, s.resolved->populations(run.team));
   run.results.commit(checkpoint);
   if (s.resolved) remove_other_populations(run.results.path(), s.steps);
@@ -122,12 +135,14 @@ std::string advance(Run& run) {
   const OutputInput& output = run.settled.output;
   while (s.strain < run.settled.run.strain - strain_round_off) {
     step(s, run.team);
-    if (passed(run, output.sample_every)) {
-      take_sample(run);
-      if (passed(run, output.snapshot_every)) {
-        check_explicit_stability(run);
-        run.results.add_snapshot(make_snapshot(s));
-      }
+    if (s.resolved) check_sphere_speeds(s);
+    const bool sampled = passed(run, *output.sample_every);
+    if (sampled) take_sample(run);
+    if (passed(run, output.snapshot_every)) {
+      check_explicit_stability(run);
+      run.results.add_snapshot(make_snapshot(s));
+    }
+    if (sampled) {
       if (run.progress.due()) show_progress(run);
       if (run.commit_clock.due(run.results.commit_cost())) commit(run);
       if (precise_enough(run)) return "converged";
@@ -183,10 +198,10 @@ ExitCode run_case(const Case& settled, const RunOptions& options) {
           options,
           ThreadTeam(plan.threads),
           std::move(suspension),
-          ResultsFolder::start(options.output, series_columns(), resolved_toml(settled),
+          ResultsFolder::start(options.output, series_columns(fluid_columns(plan)), resolved_toml(settled),
                                provenance(options.command_line, plan.threads, settled.suspension.seed),
                                output_choice(settled)),
-          {},
+          Series(fluid_columns(plan)),
           ShearProfile(box, std::size_t(settled.output.profile_bins)),
           {},
           Progress(options.quiet),
@@ -222,10 +237,10 @@ ExitCode restart_run(const std::vector<std::string>& overrides, const RunOptions
           options,
           ThreadTeam(plan.threads),
           std::move(suspension),
-          ResultsFolder::resume(options.output, series_columns(), resolved_toml(settled),
+          ResultsFolder::resume(options.output, series_columns(fluid_columns(plan)), resolved_toml(settled),
                                 provenance(options.command_line, plan.threads, settled.suspension.seed),
                                 output_choice(settled)),
-          restored_series(reader),
+          restored_series(reader, fluid_columns(plan)),
           std::move(profile),
           run_cost(checkpoint),
           Progress(options.quiet),
@@ -233,8 +248,10 @@ ExitCode restart_run(const std::vector<std::string>& overrides, const RunOptions
           {}};
   run.first_step = run.suspension.steps;
   resume(run.suspension);
-  if (Suspension& s = run.suspension; s.resolved)
+  if (Suspension& s = run.suspension; s.resolved) {
     s.resolved->restore(run.team, read_populations(options.output, s.steps), s.steps, s.box.offset);
+    s.resolved->set_carried(carried_across(checkpoint));
+  }
   return commit_and_finish(run);
 }
 

@@ -24,10 +24,10 @@ RunCost run_cost(const Checkpoint& c) {
   return {stored<double>(c.scalars, "wall_seconds"), stored<double>(c.scalars, "particle_steps")};
 }
 
-Series restored_series(const ResultsReader& reader) {
+Series restored_series(const ResultsReader& reader, FluidColumns fluid) {
   std::vector<std::vector<double>> columns;
-  for (const Column& c : series_columns()) columns.push_back(reader.series(c.name));
-  Series series;
+  for (const Column& c : series_columns(fluid)) columns.push_back(reader.series(c.name));
+  Series series(fluid);
   std::vector<double> row(columns.size());
   for (std::size_t k = 0; k < columns.front().size(); ++k) {
     for (std::size_t c = 0; c < columns.size(); ++c) row[c] = columns[c][k];

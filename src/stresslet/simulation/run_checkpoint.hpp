@@ -17,7 +17,7 @@ void add_run_state(Checkpoint& checkpoint, const ProfileSums& profile, const Run
 ProfileSums profile_sums(const Checkpoint& checkpoint);
 RunCost run_cost(const Checkpoint& checkpoint);
 
-Series restored_series(const ResultsReader& reader);
+Series restored_series(const ResultsReader& reader, FluidColumns fluid);
 
 /// Puts the profiles of velocity and solid fraction into the results.
 void set_profiles(ResultsFolder& results, const ShearProfile& profile);

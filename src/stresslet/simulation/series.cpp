@@ -16,7 +16,7 @@ void for_each_component(const Stress& s, auto&& visit) {
 /// Visits (name, unit, description, value) of every column: the one list behind names and rows.
 template <class Visit>
 void for_each_quantity(double strain, const Sample& m, double energy_rate, double particles, double solver_iterations,
-                       Visit&& visit) {
+                       FluidColumns columns, const FluidSample& fluid, Visit&& visit) {
   const Stress total = m.stress.total();
   visit("strain", "1", "shear strain", strain);
   visit("time", "1/shear_rate", "time", strain);
@@ -51,21 +51,33 @@ void for_each_quantity(double strain, const Sample& m, double energy_rate, doubl
   visit("contacts_per_particle", "1", "contacts that a particle has on average", 2 * m.contacts / particles);
   visit("largest_overlap", "1", "largest overlap over the smaller diameter of its pair", m.largest_overlap);
   visit("solver_iterations", "1", "iterations of the last velocity solve", solver_iterations);
+  if (columns == FluidColumns::none) return;
+  visit("lowest_density", "1", "lowest density of a cell over that at rest", fluid.lowest_density);
+  visit("highest_density", "1", "highest density of a cell over that at rest", fluid.highest_density);
+  if (columns == FluidColumns::density_and_plane)
+    visit("relative_viscosity_through_plane", "1",
+          "flux of momentum through the sheared plane over viscosity*shear_rate; independent of the summed stress",
+          fluid.viscosity_through_plane);
 }
 
 }  // namespace
 
-std::vector<Column> series_columns() {
+std::vector<Column> series_columns(FluidColumns fluid) {
   std::vector<Column> columns;
-  for_each_quantity(0, {}, 0, 1, 0, [&](std::string name, std::string unit, std::string description, double) {
-    columns.push_back({std::move(name), std::move(unit), std::move(description)});
-  });
+  for_each_quantity(0, {}, 0, 1, 0, fluid, {},
+                    [&](std::string name, std::string unit, std::string description, double) {
+                      columns.push_back({std::move(name), std::move(unit), std::move(description)});
+                    });
   return columns;
 }
 
-Series::Series() {
-  for (const Column& c : series_columns()) names_.push_back(c.name);
+Series::Series(FluidColumns fluid) : fluid_(fluid) {
+  for (const Column& c : series_columns(fluid)) names_.push_back(c.name);
   columns_.resize(names_.size());
+}
+
+bool Series::has(const std::string& column) const {
+  return std::find(names_.begin(), names_.end(), column) != names_.end();
 }
 
 const std::vector<double>& Series::operator[](const std::string& column) const {
@@ -76,15 +88,15 @@ const std::vector<double>& Series::operator[](const std::string& column) const {
 
 double Series::last(const std::string& column) const { return (*this)[column].back(); }
 
-const std::vector<double>& Series::add(double strain, const Sample& sample, double particles,
-                                       double solver_iterations) {
+const std::vector<double>& Series::add(double strain, const Sample& sample, double particles, double solver_iterations,
+                                       const FluidSample& fluid) {
   double energy_rate = 0;
   if (size() > 0) {
     const double before = last("elastic_energy") + last("kinetic_energy");
     energy_rate = (sample.elastic_energy + sample.kinetic_energy - before) / (strain - last("strain"));
   }
   row_.clear();
-  for_each_quantity(strain, sample, energy_rate, particles, solver_iterations,
+  for_each_quantity(strain, sample, energy_rate, particles, solver_iterations, fluid_, fluid,
                     [&](const std::string&, const char*, const std::string&, double value) { row_.push_back(value); });
   restore(row_);
   return row_;

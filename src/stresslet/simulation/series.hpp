@@ -9,20 +9,30 @@
 
 namespace stresslet {
 
+/// What a sample of a resolved fluid adds to the row.
+struct FluidSample {
+  double viscosity_through_plane = 0;  ///< sheared box only
+  double lowest_density = 1, highest_density = 1;
+};
+/// Which of these the series has.
+enum class FluidColumns { none, density, density_and_plane };
+
 /// Columns in the order of `Series::add`.
-std::vector<Column> series_columns();
+std::vector<Column> series_columns(FluidColumns fluid);
 
 /// All rows so far, by column; kept in memory for error bars, steady-state detection and the monitor.
 class Series {
  public:
-  Series();
+  explicit Series(FluidColumns fluid = FluidColumns::none);
 
   /// Appends a row made from a sample and returns it. `particles` counts them; relative viscosity from dissipation uses
   /// the energies of the row before.
-  const std::vector<double>& add(double strain, const Sample& sample, double particles, double solver_iterations);
+  const std::vector<double>& add(double strain, const Sample& sample, double particles, double solver_iterations,
+                                 const FluidSample& fluid = {});
   /// Appends a row read back from a file.
   void restore(const std::vector<double>& row);
 
+  bool has(const std::string& column) const;
   std::size_t size() const { return columns_.front().size(); }
   const std::vector<double>& operator[](const std::string& column) const;
   /// Rows from the first whose strain is at least `strain` (minus round-off).
@@ -30,6 +40,7 @@ class Series {
 
  private:
   double last(const std::string& column) const;
+  FluidColumns fluid_;
   std::vector<std::string> names_;
   std::vector<std::vector<double>> columns_;
   std::vector<double> row_;

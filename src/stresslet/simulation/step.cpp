@@ -61,6 +61,7 @@ void interact(Suspension& s, ThreadTeam& team, double contact_step, double veloc
                       s.history);
     s.wall_contacts.update(member, s.physics.contact, s.state, velocities, s.box, contact_step);
     if (s.resolved) {
+      if (member.rank() == 0) s.resolved->count_carried(s.state, s.box, part.first, s.time.substep());
       update_subgrid_films(member, s);
       if (part.first) s.resolved->prepare(member, s.state, s.box, s.fluid_coupling);
     } else {

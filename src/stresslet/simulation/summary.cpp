@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <span>
 
@@ -27,6 +28,43 @@ Estimate mean_over(const Series& series, const AveragingWindow& window, const st
 namespace {
 
 nlohmann::ordered_json as_json(const Estimate& e) { return {{"mean", e.mean}, {"error", e.error}}; }
+
+/// Relative difference of the summed stress from the flux through the sheared plane.
+Estimate stress_closure(const Series& series, const AveragingWindow& window) {
+  const auto &summed = series["relative_viscosity"], &plane = series["relative_viscosity_through_plane"];
+  std::vector<double> difference;
+  for (std::size_t k = window.first_row; k < summed.size(); ++k) difference.push_back(summed[k] - plane[k]);
+  Estimate closure = estimate_mean(difference);
+  const double scale = mean_over(series, window, "relative_viscosity_through_plane").mean;
+  closure.mean /= scale, closure.error /= std::abs(scale);
+  return closure;
+}
+
+struct DensityRange {
+  double lowest, highest;
+};
+DensityRange density_range(const Series& series) {
+  const auto &low = series["lowest_density"], &high = series["highest_density"];
+  return {*std::min_element(low.begin(), low.end()), *std::max_element(high.begin(), high.end())};
+}
+
+std::string fluid_lines(const Series& series, const AveragingWindow& window) {
+  constexpr double wide = 0.1;
+  std::string text;
+  if (series.has("relative_viscosity_through_plane")) {
+    const Estimate plane = mean_over(series, window, "relative_viscosity_through_plane");
+    const Estimate closure = stress_closure(series, window);
+    text +=
+        fmt::format("  through the plane       {:>9.4g} +- {:.2g}   (summed stress differs by {:.2g} +- {:.1g} %)\n",
+                    plane.mean, plane.error, 100 * closure.mean, 100 * closure.error);
+  }
+  const DensityRange density = density_range(series);
+  text += fmt::format("density of the fluid      {:>9.4g} to {:.4g}{}\n", density.lowest, density.highest,
+                      density.highest - density.lowest > wide
+                          ? "   (compressed: the viscosity reads some per cent low; lower the relaxation time)"
+                          : "");
+  return text;
+}
 
 }  // namespace
 
@@ -67,6 +105,10 @@ std::string summary_json(const Case& settled, const Plan& plan, const Series& se
     j["relaxation_time"] = r.rates.relaxation_time;
     j["reynolds_number"] = r.reynolds;
     j["cells_per_diameter"] = 1 / r.cell;
+    if (series.has("relative_viscosity_through_plane")) j["stress_closure"] = as_json(stress_closure(series, window));
+    const DensityRange density = density_range(series);
+    j["lowest_density"] = density.lowest;
+    j["highest_density"] = density.highest;
     j["lattice_updates_per_second"] =
         cost.wall_seconds > 0 ? cost.particle_steps / double(plan.count()) * r.cell_count() / cost.wall_seconds : 0.0;
   }
@@ -83,6 +125,7 @@ std::string summary_text(const Case& settled, const Series& series) {
                   viscosity.error, strain[window.first_row], strain.back(), window.steady ? "" : "; not yet steady");
   const Estimate dissipated = mean("relative_viscosity_from_dissipation");
   text += fmt::format("  from dissipation        {:>9.4g} +- {:.2g}\n", dissipated.mean, dissipated.error);
+  if (settled.resolved()) text += fluid_lines(series, window);
   text += "carried by\n";
   text += fmt::format("  {:<24}{:>9.4g}\n", "fluid", 1.0);
   StressParts::for_each(StressParts{}, [&](std::string part, const Stress&) {

@@ -71,6 +71,15 @@ void ResolvedFlow::prepare(Member& member, const ParticleState& state, const Box
   member.barrier();
 }
 
+void ResolvedFlow::count_carried(const ParticleState& state, const Box& box, bool first, double step) {
+  carried_.steps += first;
+  for (std::size_t i = 0; i < state.size(); ++i) {
+    const double boxes_up = std::floor((state.y[i] - step * state.uy[i]) / box.length.y);
+    if (boxes_up == 0) continue;
+    carried_.momentum -= boxes_up * state.mass(i) * (state.ux[i] - 0.5 * boxes_up * box.velocity_jump());
+  }
+}
+
 void ResolvedFlow::follow(Member& member, const ParticleState& state, bool first, double share) {
   const Range mine = member.share(state.size());
   for (std::size_t i = mine.begin; i < mine.end; ++i) {
@@ -97,14 +106,9 @@ Stress ResolvedFlow::stresslet(const ParticleState& state, const Box& box, const
 
 double ResolvedFlow::dissipation(ThreadTeam& team, const ParticleState& state, const Box& box,
                                  const FluidCoupling& coupling) {
-  const Cells& n = setup_.cells;
-  std::vector<double> rows(std::size_t(n[1]) * std::size_t(n[2]));  // summed in order, whatever the threads
-  fluid_.measure(team, {0, 0, 0}, {n[0] - 1, n[1] - 1, n[2] - 1}, {1, 1, 1}, [&](const Cells& c, const CellState& s) {
-    rows[std::size_t(c[1]) + std::size_t(n[1]) * std::size_t(c[2])] +=
-        2 * double_contraction(s.strain_rate, s.strain_rate);
-  });
-  double sum = 0;
-  for (const double row : rows) sum += row;
+  std::vector<ResolvedSphere> next = spheres_;
+  for (std::size_t i = 0; i < next.size(); ++i) next[i].centre += next[i].velocity;
+  look_ = fluid_.energy(team, next);
   double rubbed = 0;
   for (const PointFriction& f : coupling.friction()) {
     const std::size_t i = std::size_t(f.first), j = std::size_t(f.second);
@@ -112,7 +116,28 @@ double ResolvedFlow::dissipation(ThreadTeam& team, const ParticleState& state, c
         f.force({state.velocity(i), state.angular_velocity(i)}, {state.velocity(j), state.angular_velocity(j)}, true);
     rubbed += dot(force, force) / f.coefficient;
   }
-  return sum / (step_ * step_ * setup_.cell_count()) + rubbed / box.volume();
+  const double energy_unit = mass_unit_ * setup_.cell * setup_.cell / (step_ * step_);
+  return (energy_unit / step_ * (look_.collisions + look_.slip) + rubbed) / box.volume();
+}
+
+void ResolvedFlow::add_to(Sample& sample) const {
+  const double volume = setup_.cell_count() * setup_.cell * setup_.cell * setup_.cell;
+  const double per_volume = mass_unit_ * setup_.cell * setup_.cell / (step_ * step_ * volume);
+  sample.stress.reynolds -= per_volume * look_.reynolds;
+  sample.kinetic_energy += per_volume * look_.kinetic();
+}
+
+double ResolvedFlow::force_across_plane(ThreadTeam& team, const Box& box, const FluidCoupling& coupling,
+                                        const ParticleState& state) {
+  double force = -mass_unit_ * setup_.cell / (step_ * step_) * fluid_.momentum_across(team, spheres_);
+  for (const PointFriction& f : coupling.friction()) {
+    if (f.jump.x == 0) continue;
+    const std::size_t i = std::size_t(f.first), j = std::size_t(f.second);
+    const Vec3<double> on_first =
+        f.force({state.velocity(i), state.angular_velocity(i)}, {state.velocity(j), state.angular_velocity(j)}, true);
+    force += std::round(f.jump.x / box.velocity_jump()) * on_first.x;
+  }
+  return force;
 }
 
 void ResolvedFlow::restore(ThreadTeam& team, const std::vector<double>& populations, std::int64_t steps,

@@ -33,6 +33,13 @@ struct ResolvedSetup {
   double mach() const;
 };
 
+/// Momentum along x that spheres have carried up through the sheared plane with them, in the frame half-way between its
+/// sides.
+struct CarriedAcross {
+  double momentum = 0;
+  std::int64_t steps = 0;  ///< in as many steps
+};
+
 class ResolvedFlow {
  public:
   explicit ResolvedFlow(const ResolvedSetup& setup);
@@ -43,6 +50,9 @@ class ResolvedFlow {
   // All members of the team, once a step each.
   /// Measures the fluid in the particles' cells and says what it does to them.
   void prepare(Member& member, const ParticleState& state, const Box& box, FluidCoupling& coupling);
+  /// On one member, after particles have drifted for `step`: those that crossed the faces, with the velocities that
+  /// brought them there.
+  void count_carried(const ParticleState& state, const Box& box, bool first, double step);
   /// Takes the particles' new velocities, which they keep for this share of the step.
   void follow(Member& member, const ParticleState& state, bool first, double share);
   /// Moves the fluid on, with the particles at the means of these.
@@ -52,9 +62,21 @@ class ResolvedFlow {
   /// exert on the fluid and on each other through shared cells, kinetic part included.
   Stress stresslet(const ParticleState& state, const Box& box, const FluidCoupling& coupling) const;
 
-  /// Dissipation of the fluid in all cells, 2 E:E, and of the friction in shared cells; per volume, in units of
-  /// viscosity x shear rate^2. Reads the whole lattice.
+  /// Dissipation by the collisions of all cells, by the slip between solid and fluid, and by the friction in shared
+  /// cells (coupling/fluid_energy.hpp); per volume, in units of viscosity x shear rate^2. Reads the whole lattice, once
+  /// for this and `last_look`.
   double dissipation(ThreadTeam& team, const ParticleState& state, const Box& box, const FluidCoupling& coupling);
+  /// What `dissipation` saw of the fluid besides, in lattice units.
+  const FluidEnergy& last_look() const { return look_; }
+  /// Adds the fluid's part of the last look to a sample: its Reynolds stress and kinetic energy.
+  void add_to(Sample& sample) const;
+
+  /// Force along x of the fluid, the solid and the friction above the sheared plane on those below, in the last
+  /// step.
+  double force_across_plane(ThreadTeam& team, const Box& box, const FluidCoupling& coupling,
+                            const ParticleState& state);
+  const CarriedAcross& carried() const { return carried_; }
+  void set_carried(const CarriedAcross& carried) { carried_ = carried; }
 
   Fluid::Totals totals(ThreadTeam& team) { return fluid_.totals(team); }
   std::vector<double> populations(ThreadTeam& team) { return fluid_.populations(team); }
@@ -67,6 +89,8 @@ class ResolvedFlow {
   double step_, mass_unit_;  ///< of the program, per unit of the lattice
   ResolvedFluid fluid_;
   std::vector<ResolvedSphere> spheres_;
+  FluidEnergy look_;
+  CarriedAcross carried_;
 };
 
 }  // namespace stresslet

@@ -1,0 +1,59 @@
+#include "stresslet/coupling/sheared_plane.hpp"
+
+#include "stresslet/lattice/stencil/d3q19.hpp"
+
+namespace stresslet {
+
+namespace {
+
+/// Momentum along x and mass of the populations that arrived through the plane, `up` +1 or -1; row by row, in order.
+struct Arrived {
+  double momentum = 0, mass = 0;
+};
+
+template <class Stencil>
+Arrived arrived(const Lattice<Stencil, double>& lattice, int up) {
+  const Grid& grid = lattice.grid;
+  const int global_y = up > 0 ? 0 : grid.size[1] - 1;
+  std::vector<Arrived> cells(std::size_t(grid.size[0]) * std::size_t(grid.size[2]));
+  for (const auto& block : lattice.blocks) {
+    const BlockLayout& layout = block.populations.layout();
+    const int y = global_y - block.origin[1];
+    if (y < 0 || y >= layout.size()[1]) continue;
+    for (int z = 0; z < layout.size()[2]; ++z)
+      for (int x = 0; x < layout.size()[0]; ++x) {
+        Arrived& cell =
+            cells[std::size_t(block.origin[0] + x) + std::size_t(grid.size[0]) * std::size_t(block.origin[2] + z)];
+        for (int i = 1; i < Stencil::size; ++i) {
+          if (Stencil::velocity[i][1] != up) continue;
+          const double f = block.populations.source(i, lattice.arrangement)[layout.index(x, y, z)];
+          cell.momentum += Stencil::velocity[i][0] * f;
+          cell.mass += f + Stencil::weight[i];
+        }
+      }
+  }
+  Arrived sum;
+  for (const Arrived& cell : cells) sum.momentum += cell.momentum, sum.mass += cell.mass;
+  return sum;
+}
+
+}  // namespace
+
+template <class Stencil>
+double fluid_momentum_across(const Lattice<Stencil, double>& lattice) {
+  const Arrived up = arrived(lattice, 1), down = arrived(lattice, -1);
+  return up.momentum - down.momentum + 0.5 * lattice.shear_velocity * (up.mass + down.mass);
+}
+
+double solid_momentum_across(const std::vector<ExchangeAcross>& across, const std::vector<ResolvedSphere>& spheres) {
+  double sum = 0;
+  for (const ExchangeAcross& part : across) {
+    const ResolvedSphere& sphere = spheres[std::size_t(part.sphere)];
+    sum += part.images_up * load_on_sphere(part.sums, sphere.velocity, sphere.angular_velocity).force.x;
+  }
+  return sum;
+}
+
+template double fluid_momentum_across<D3Q19>(const Lattice<D3Q19, double>&);
+
+}  // namespace stresslet

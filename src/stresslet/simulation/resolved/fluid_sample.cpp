@@ -1,0 +1,46 @@
+#include "stresslet/simulation/resolved/fluid_sample.hpp"
+
+#include "stresslet/simulation/stored.hpp"
+
+namespace stresslet {
+
+namespace {
+
+/// x of the force on the first of a pair.
+double pair_force(const Suspension& s, std::size_t p) {
+  const Vec3<double> e = s.pairs.normal(p);
+  const Twist<double> t1 = s.velocity.get(std::size_t(s.pairs.i[p])), t2 = s.velocity.get(std::size_t(s.pairs.j[p]));
+  PairMotion<double> motion{t2.linear - t1.linear, t1.angular, t2.angular};
+  motion.u.x += s.lubrication.background_velocity(p);
+  const double film = pair_wrench(e, s.lubrication.arm(p), s.lubrication.resistance(p), motion).force.x;
+  return s.pairs.gap[p] < 0 ? film + s.contacts[p].force.x : film;
+}
+
+}  // namespace
+
+double stress_through_plane(const Suspension& s, ThreadTeam& team) {
+  double force = s.resolved->force_across_plane(team, s.box, s.fluid_coupling, s.state);
+  for (std::size_t p = 0; p < s.pairs.size(); ++p)
+    if (s.pairs.images_up[p] != 0) force -= s.pairs.images_up[p] * pair_force(s, p);  // -1: j above i
+  const CarriedAcross& carried = s.resolved->carried();
+  if (carried.steps > 0) force -= carried.momentum / (double(carried.steps) * s.time.step);
+  return force / (s.box.length.x * s.box.length.z);
+}
+
+FluidSample sample_fluid(Suspension& s, ThreadTeam& team) {
+  const FluidEnergy& look = s.resolved->last_look();
+  const double through_plane = s.resolved->setup().sheared ? stress_through_plane(s, team) : 0.0;
+  s.resolved->set_carried({});
+  return {through_plane, look.lowest_density, look.highest_density};
+}
+
+void add_carried(Checkpoint& checkpoint, const CarriedAcross& carried) {
+  checkpoint.scalars["carried_momentum"] = carried.momentum;
+  checkpoint.scalars["carried_steps"] = carried.steps;
+}
+
+CarriedAcross carried_across(const Checkpoint& c) {
+  return {stored<double>(c.scalars, "carried_momentum"), stored<std::int64_t>(c.scalars, "carried_steps")};
+}
+
+}  // namespace stresslet

@@ -1,0 +1,107 @@
+/// Suspensions in resolved fluid through the program: the same bytes on any number of threads and after a restart, what
+/// the summary says, and what is refused.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "same_results.hpp"
+
+namespace stresslet {
+namespace {
+
+using namespace program;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+/// Sixteen spheres close enough to touch and to share cells.
+constexpr const char* small_resolved_case = R"(fidelity = "resolved"
+[suspension]
+solid_fraction = 0.4
+count = 16
+seed = 5
+[contact]
+friction = 0.5
+[resolution]
+cells_per_diameter = 6
+[run]
+strain = 0.045
+average_from = 0.005
+threads = 1
+[output]
+sample_every = 0.01
+snapshot_every = 0.02
+)";
+
+class ResolvedRun : public ::testing::Test {
+ protected:
+  const Workplace place_;
+  const std::string input_ = place_.write("case.toml", small_resolved_case);
+
+  std::string finished(const std::string& name, const std::vector<std::string>& assignments) {
+    const std::string results = place_ / name;
+    const Outcome outcome = stresslet(run_arguments(input_, results, assignments));
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return results;
+  }
+  Outcome checked(const std::vector<std::string>& assignments) {
+    std::vector<std::string> arguments{"check", input_};
+    for (const std::string& argument : settings(assignments)) arguments.push_back(argument);
+    return stresslet(arguments);
+  }
+};
+
+std::string populations_in(const std::string& folder) {
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    if (entry.path().filename().string().starts_with("populations")) return content_of(entry.path());
+  ADD_FAILURE() << "no populations in " << folder;
+  return {};
+}
+
+TEST_F(ResolvedRun, HasTheSameBytesOnTwoThreads) {
+  const std::string one = finished("one", {}), two = finished("two", {"run.threads=2"});
+  expect_same_results(two, one);
+  EXPECT_TRUE(populations_in(two) == populations_in(one));
+}
+
+/// The stop lies between two samples: what spheres carried across the plane so far must not be lost.
+TEST_F(ResolvedRun, GoesOnAfterARestartAsIfUnbroken) {
+  const std::string whole = finished("whole", {}), broken = finished("broken", {"run.strain=0.026"});
+  const Outcome again = stresslet(restart_arguments(broken, {"run.strain=0.045"}));
+  ASSERT_EQ(again.code, 0) << again.err;
+  expect_same_results(broken, whole);
+  EXPECT_TRUE(populations_in(broken) == populations_in(whole));
+}
+
+TEST_F(ResolvedRun, SaysHowWellTheStressCloses) {
+  const auto summary = timeless_summary(finished("results", {"run.average_from=0.03", "run.strain=0.1"}));
+  EXPECT_LT(std::abs(summary["stress_closure"]["mean"].get<double>()), 0.01);
+  EXPECT_GE(summary["stress_closure"]["error"].get<double>(), 0);
+  const double viscosity = summary["relative_viscosity"]["mean"];
+  EXPECT_NEAR(summary["relative_viscosity_from_dissipation"]["mean"].get<double>() / viscosity, 1, 0.03);
+  EXPECT_LT(summary["lowest_density"].get<double>(), 1);
+  EXPECT_GT(summary["lowest_density"].get<double>(), 0.9);
+  EXPECT_GT(summary["highest_density"].get<double>(), 1);
+  EXPECT_LT(summary["highest_density"].get<double>(), 1.1);
+}
+
+TEST_F(ResolvedRun, RefusesWhatTheLatticeCannotHold) {
+  const Outcome coarse = checked({"resolution.cells_per_diameter=2.5", "suspension.sizes.law=discrete",
+                                  "suspension.sizes.diameters=[1, 0.5]", "suspension.sizes.volume_shares=[0.5, 0.5]"});
+  EXPECT_EQ(coarse.code, 2);
+  EXPECT_THAT(coarse.err, AllOf(HasSubstr("the smallest particle would be"), HasSubstr("cells across"),
+                                HasSubstr("give at least resolution.cells_per_diameter = 4")));
+  const Outcome fast = checked({"flow.reynolds=30", "flow.stokes=30"});
+  EXPECT_EQ(fast.code, 2);
+  EXPECT_THAT(fast.err, AllOf(HasSubstr("the Mach number of the mean flow would be"), HasSubstr("nearest possible")));
+}
+
+TEST_F(ResolvedRun, KeepsItsFidelityOnRestart) {
+  const std::string results = finished("results", {"run.strain=0.01"});
+  const Outcome other = stresslet(restart_arguments(results, {"fidelity=lubricated", "run.strain=0.02"}));
+  EXPECT_EQ(other.code, 2);
+  EXPECT_THAT(other.err, AllOf(HasSubstr("fidelity cannot be changed by a restart"), HasSubstr("suspension.file")));
+}
+
+}  // namespace
+}  // namespace stresslet

@@ -56,6 +56,7 @@ File File::create(const std::filesystem::path& path) {
   const Silence silence;
   const Handle access = access_properties();
   const Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose, "make a property list");
+  check(H5Pset_obj_track_times(creation, false), "set a property");  // of the root group: same data, same bytes
   check(H5Pset_file_space_strategy(creation, H5F_FSPACE_STRATEGY_FSM_AGGR, true, 1), "keep track of free space");
   return File(check(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access), "create " + quoted(path)));
 }

@@ -60,7 +60,8 @@ FluidEnergy row_energy(const Lattice<Stencil, double>& lattice, int block, std::
   const int nx = layout.size()[0], ny = layout.size()[1], y = int(row) % ny, z = int(row) / ny;
   const std::vector<CellSolids> solids = solids_of_row(nx, block, row, covered, spheres);
   const double middle = 0.5 * (lattice.grid.size[1] - 1);
-  const double mean_flow = lattice.shear_velocity / lattice.grid.size[1] * (of_block.origin[1] + y - middle);
+  const double height = of_block.origin[1] + y - middle;
+  const double mean_flow = lattice.shear_velocity / lattice.grid.size[1] * height;
   typename Collision::template Cell<Stencil, double> collision(lattice.input.rates);
   FluidEnergy sum;
   double worst = -1;
@@ -87,6 +88,7 @@ FluidEnergy row_energy(const Lattice<Stencil, double>& lattice, int block, std::
 
     const Vec3<double> u = u_before + (0.5 * held) * slip - Vec3<double>{mean_flow, 0, 0};
     sum.reynolds += density * square(u);
+    sum.stored_momentum += height * (m.momentum.x - density * mean_flow);
 
     const double deviation = m.density_deviation;
     const bool finite = std::isfinite(deviation) && std::isfinite(dot(u, u));
@@ -110,6 +112,7 @@ void add_row(FluidEnergy& sum, const FluidEnergy& row) {
   sum.collisions += row.collisions;
   sum.slip += row.slip;
   sum.reynolds += row.reynolds;
+  sum.stored_momentum += row.stored_momentum;
   sum.lowest_density = std::min(sum.lowest_density, row.lowest_density);
   sum.highest_density = std::max(sum.highest_density, row.highest_density);
 }

@@ -54,10 +54,15 @@ void for_each_quantity(double strain, const Sample& m, double energy_rate, doubl
   if (columns == FluidColumns::none) return;
   visit("lowest_density", "1", "lowest density of a cell over that at rest", fluid.lowest_density);
   visit("highest_density", "1", "highest density of a cell over that at rest", fluid.highest_density);
-  if (columns == FluidColumns::density_and_plane)
-    visit("relative_viscosity_through_plane", "1",
-          "flux of momentum through the sheared plane over viscosity*shear_rate; independent of the summed stress",
-          fluid.viscosity_through_plane);
+  if (columns != FluidColumns::density_and_plane) return;
+  visit(
+      "stored_momentum", "viscosity",
+      "first moment across the box of the momentum relative to the mean flow, per volume; its growth is what the flux "
+      "through the plane exceeds the stress by",
+      fluid.stored_momentum);
+  visit("relative_viscosity_through_plane", "1",
+        "flux of momentum through the sheared plane over viscosity*shear_rate; independent of the summed stress",
+        fluid.viscosity_through_plane);
 }
 
 }  // namespace

@@ -29,11 +29,13 @@ namespace {
 
 nlohmann::ordered_json as_json(const Estimate& e) { return {{"mean", e.mean}, {"error", e.error}}; }
 
-/// Relative difference of the summed stress from the flux through the sheared plane.
+/// Relative difference of the summed stress and the growth of stored momentum from the flux through the sheared plane.
 Estimate stress_closure(const Series& series, const AveragingWindow& window) {
-  const auto &summed = series["relative_viscosity"], &plane = series["relative_viscosity_through_plane"];
+  const auto &summed = series["relative_viscosity"], &plane = series["relative_viscosity_through_plane"],
+             &stored = series["stored_momentum"], &strain = series["strain"];
   std::vector<double> difference;
-  for (std::size_t k = window.first_row; k < summed.size(); ++k) difference.push_back(summed[k] - plane[k]);
+  for (std::size_t k = std::max<std::size_t>(window.first_row, 1); k < summed.size(); ++k)
+    difference.push_back(summed[k] + (stored[k] - stored[k - 1]) / (strain[k] - strain[k - 1]) - plane[k]);
   Estimate closure = estimate_mean(difference);
   const double scale = mean_over(series, window, "relative_viscosity_through_plane").mean;
   closure.mean /= scale, closure.error /= std::abs(scale);

@@ -29,9 +29,13 @@ double stress_through_plane(const Suspension& s, ThreadTeam& team) {
 
 FluidSample sample_fluid(Suspension& s, ThreadTeam& team) {
   const FluidEnergy& look = s.resolved->last_look();
-  const double through_plane = s.resolved->setup().sheared ? stress_through_plane(s, team) : 0.0;
+  FluidSample found{0, 0, look.lowest_density, look.highest_density};
+  if (s.resolved->setup().sheared) {
+    found.viscosity_through_plane = stress_through_plane(s, team);
+    found.stored_momentum = s.resolved->stored_momentum(s.state, s.box);
+  }
   s.resolved->set_carried({});
-  return {through_plane, look.lowest_density, look.highest_density};
+  return found;
 }
 
 void add_carried(Checkpoint& checkpoint, const CarriedAcross& carried) {

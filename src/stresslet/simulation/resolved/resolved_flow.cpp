@@ -140,6 +140,16 @@ double ResolvedFlow::force_across_plane(ThreadTeam& team, const Box& box, const 
   return force;
 }
 
+double ResolvedFlow::stored_momentum(const ParticleState& state, const Box& box) const {
+  double sum = mass_unit_ * setup_.cell * setup_.cell / step_ * look_.stored_momentum;
+  for (std::size_t i = 0; i < state.size(); ++i) {
+    const double height = state.y[i] - 0.5 * box.length.y;
+    // A sphere that moves across the mean flow changes its momentum against that without a force: half a square.
+    sum += state.mass(i) * height * (state.ux[i] - 0.5 * box.mean_flow(state.y[i]));
+  }
+  return sum / box.volume();
+}
+
 void ResolvedFlow::restore(ThreadTeam& team, const std::vector<double>& populations, std::int64_t steps,
                            double offset) {
   fluid_.restore(team, populations, steps);

@@ -68,6 +68,9 @@ class ResolvedFlow {
   double dissipation(ThreadTeam& team, const ParticleState& state, const Box& box, const FluidCoupling& coupling);
   /// What `dissipation` saw of the fluid besides, in lattice units.
   const FluidEnergy& last_look() const { return look_; }
+  /// Of the last look, per volume: first moment along y of the momentum of fluid and particles along x, less the mean
+  /// flow. Its growth is what the stress through the sheared plane exceeds the mean stress by.
+  double stored_momentum(const ParticleState& state, const Box& box) const;
   /// Adds the fluid's part of the last look to a sample: its Reynolds stress and kinetic energy.
   void add_to(Sample& sample) const;
 

@@ -36,6 +36,8 @@ void approach(Trial&);
 void passing(Trial&);
 void rotating(Trial&);
 void settling(Trial&);
+void drafting_kissing_tumbling(Trial&);
+void wet_bounce(Trial&);
 void cubic_array(Trial&);
 void sheared_lattice(Trial&);
 
@@ -68,6 +70,9 @@ constexpr Case list[] = {
     {"stimson-jeffery", "stimson-jeffery", "two spheres that follow each other", stimson_jeffery},
     {"sphere-wall", "sphere-wall", "a sphere above a plane wall", sphere_wall},
     {"settling", "settling", "a sphere settles in a closed box", settling},
+    {"drafting-kissing-tumbling", "drafting-kissing-tumbling", "two spheres settle one above the other",
+     drafting_kissing_tumbling},
+    {"wet-bounce", "wet-bounce", "restitution of a wet impact by Stokes number", wet_bounce},
     {"cubic-array", "cubic-array", "drag and viscosity of cubic arrays of spheres", cubic_array},
     {"sheared-lattice", "sheared-lattice", "cubic lattice of free spheres in shear", sheared_lattice},
 };

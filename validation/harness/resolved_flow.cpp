@@ -64,6 +64,7 @@ void ResolvedFlow::settle() {
   }
   std::vector<SphereLink> links;
   for (const PointFriction& f : fluid_.friction()) links.push_back(link_of(f));
+  if (films_) append_pair_forces(inertia, links);
   const auto sums = [&](std::size_t k) { return fluid_.exchange(k); };
   update_.settle(solids_, inertia, links, sums);
   for (std::size_t k = 0; k < spheres_.size(); ++k) {
@@ -82,6 +83,20 @@ void ResolvedFlow::settle() {
     add(loads_[std::size_t(f.first)], on_first, f.arm_first);
     add(loads_[std::size_t(f.second)], -on_first, f.arm_second);
   }
+}
+
+void ResolvedFlow::append_pair_forces(std::vector<SphereInertia>& inertia, std::vector<SphereLink>& links) const {
+  for (std::size_t i = 0; i < solids_.size(); ++i)
+    for (std::size_t j = i + 1; j < solids_.size(); ++j) {
+      const auto film = subgrid_link(solids_, std::int32_t(i), std::int32_t(j), {}, scheme_.viscosity(), *films_);
+      if (film) links.push_back(*film);
+      const Vec3<double> apart = solids_[j].centre - solids_[i].centre;
+      const double distance = norm(apart), overlap = solids_[i].radius + solids_[j].radius - distance;
+      if (overlap <= 0) continue;
+      const Vec3<double> on_second = (spring_ * overlap / distance) * apart;
+      inertia[i].force -= on_second;
+      inertia[j].force += on_second;
+    }
 }
 
 void ResolvedFlow::step(Member& member) {
@@ -172,6 +187,13 @@ CellPopulations<D3Q19, double> ResolvedFlow::populations(const Cells& cell) {
 Vec3<double> ResolvedFlow::mean_velocity() {
   const Cells& n = fluid_.lattice().grid.size;
   return (1 / (double(n[0]) * n[1] * n[2])) * fluid_.totals(trial_.team()).momentum;
+}
+
+Vec3<double> ResolvedFlow::momentum() {
+  Vec3<double> sum = fluid_.totals(trial_.team()).momentum;
+  for (const TestSphere& s : spheres_)
+    sum += (s.density * 4 * pi / 3 * std::pow(s.sphere.radius, 3)) * s.sphere.velocity;
+  return sum;
 }
 
 Vec3<double> ResolvedFlow::velocity(const Cells& cell) {

@@ -2,12 +2,14 @@
 /// What the cases of resolved spheres have in common: schemes, spheres that are held, turn or move, steady states, and
 /// readings of the flow. Lattice units; cell i is centred on coordinate i.
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "stresslet/coupling/covered_cells.hpp"
 #include "stresslet/coupling/resolved_fluid.hpp"
 #include "stresslet/coupling/sphere_update.hpp"
+#include "stresslet/coupling/subgrid/subgrid_links.hpp"
 #include "validation/harness/trial.hpp"
 
 namespace stresslet::validation {
@@ -67,6 +69,9 @@ class ResolvedFlow {
   /// Holds the images across a sheared boundary at this displacement.
   void freeze_shear(double offset_lu) { frozen_offset_ = offset_lu, frozen_ = true; }
 
+  /// Between all pairs of spheres: the films that the grid does not resolve, and a spring where they overlap.
+  void add_pair_forces(const SubgridCorrection& films, double spring_lu) { films_ = films, spring_ = spring_lu; }
+
   void advance(int steps);
   /// Advances until the loads and angular velocities change by less than `tolerance`, relative to the largest of each
   /// sphere, in the time `interval`. Throws NumericalFailure after `limit` steps.
@@ -75,13 +80,15 @@ class ResolvedFlow {
   int steps() const { return steps_; }
   const TestSphere& sphere(std::size_t k = 0) const { return spheres_[k]; }
   TestSphere& sphere(std::size_t k = 0) { return spheres_[k]; }
-  /// Of the last step, with the friction of spheres that share cells.
+  /// Of the last step, with the friction of spheres that share cells, without films and springs.
   const HydrodynamicLoad& load(std::size_t k = 0) const { return loads_[k]; }
 
   // Readings at the present time.
   MomentParts moment_parts(std::size_t k = 0);
   /// Mean velocity over all cells, of the incoming populations.
   Vec3<double> mean_velocity();
+  /// Of fluid and spheres.
+  Vec3<double> momentum();
   /// Velocity at a cell, with half of what the solids give in a step.
   Vec3<double> velocity(const Cells& cell);
   /// Mean shear stress xy in the plane between the rows y and y + 1, from the momentum that crosses it.
@@ -90,6 +97,7 @@ class ResolvedFlow {
  private:
   void step(Member& member);
   void settle();
+  void append_pair_forces(std::vector<SphereInertia>& inertia, std::vector<SphereLink>& links) const;
   CellPopulations<D3Q19, double> populations(const Cells& cell);
   void prepare();
 
@@ -101,6 +109,8 @@ class ResolvedFlow {
   SphereUpdate update_;
   std::vector<HydrodynamicLoad> loads_;
   ResolvedFluid fluid_;
+  std::optional<SubgridCorrection> films_;
+  double spring_ = 0;
   int steps_ = 0;
   bool frozen_ = false;
   double frozen_offset_ = 0;

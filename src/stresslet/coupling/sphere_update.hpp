@@ -4,8 +4,8 @@
 ///   (M + m) U + w x s1                       = M U0 + sum m u*       + force
 ///   s1 x U + (I + sum m (r.r - r r)) w       = I w0 + sum r x m u*   + torque,       s1 = sum m r,
 /// with the sums of exchange_sums.hpp: symmetric, positive definite, stable for any weight B < 2 and any density; an
-/// explicit update is not beyond B = 2/(1 + fluid density/sphere density). Links between spheres add their resistance
-/// to the system of all.
+/// explicit update (explicit_update.hpp) is not beyond B = 2/(1 + fluid density/sphere density). Links between spheres
+/// add their resistance to the system of all.
 #include <vector>
 
 #include "stresslet/coupling/exchange_sums.hpp"

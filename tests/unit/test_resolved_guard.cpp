@@ -70,7 +70,8 @@ TEST_F(ResolvedGuard, NamesTheSphere) {
   EXPECT_EQ(complaint([&] { check_sphere_speeds(s_); }), "");
   s_.state.set_velocity(2, {0, 0.31 * sound, 0});
   EXPECT_THAT(complaint([&] { check_sphere_speeds(s_); }),
-              AllOf(HasSubstr("particle " + std::to_string(s_.state.id[2]) + " moves at Mach number 0.31"), HasSubstr("\n  fix: ")));
+              AllOf(HasSubstr("particle " + std::to_string(s_.state.id[2]) + " moves at Mach number 0.31"),
+                    HasSubstr("\n  fix: ")));
 }
 
 }  // namespace

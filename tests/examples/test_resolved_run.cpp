@@ -14,12 +14,13 @@ using namespace program;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-/// Sixteen spheres close enough to touch and to share cells.
+/// Spheres close enough to touch and to share cells.
 constexpr const char* small_resolved_case = R"(fidelity = "resolved"
 [suspension]
 solid_fraction = 0.4
-count = 16
+count = 36
 seed = 5
+sizes = { law = "monodisperse" }
 [contact]
 friction = 0.5
 [resolution]

@@ -21,7 +21,7 @@ class ResolvedGuard : public ::testing::Test {
  protected:
   const Case settled_ = std::get<Case>(
       read_any_case_text("fidelity = \"resolved\"\n", "guard",
-                         {"suspension.solid_fraction=0.1", "suspension.count=4", "suspension.sizes.law=monodisperse",
+                         {"suspension.solid_fraction=0.1", "suspension.count=9", "suspension.sizes.law=monodisperse",
                           "resolution.cells_per_diameter=5", "run.strain=1"}));
   const Plan plan_ = make_plan(settled_);
   ThreadTeam team_{1};

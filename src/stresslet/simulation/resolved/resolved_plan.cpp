@@ -86,7 +86,8 @@ ResolvedSetup resolved_setup(const Case& c, const Box& box, double smallest_radi
     refuse(c.where("resolution.cells_per_diameter"),
            fmt::format("the smallest particle would be {:.2g} cells across", 2 * smallest_radius / s.cell),
            "below 2 cells a particle is no sphere any more",
-           fmt::format("give at least resolution.cells_per_diameter = {:.0f}", std::ceil(2 / smallest_radius)));
+           fmt::format("give at least resolution.cells_per_diameter = {:.0f}",
+                       std::ceil(fewest_cells_across / (2 * smallest_radius))));
   check_flow(c, s);
   const double bytes = resolved_bytes(s), there = double(physical_memory());
   if (there > 0 && bytes > there)

@@ -3,9 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <filesystem>
-
 #include "same_results.hpp"
+#include "stresslet/simulation/fluid/lattice_checkpoint.hpp"
 
 namespace stresslet {
 namespace {
@@ -18,10 +17,9 @@ using ::testing::HasSubstr;
 constexpr const char* small_resolved_case = R"(fidelity = "resolved"
 [suspension]
 solid_fraction = 0.4
-count = 32
+count = 36
 seed = 5
-[suspension.sizes]
-law = "monodisperse"
+sizes = { law = "monodisperse" }
 [contact]
 friction = 0.5
 [resolution]
@@ -53,11 +51,9 @@ class ResolvedRun : public ::testing::Test {
   }
 };
 
-std::string populations_in(const std::string& folder) {
-  for (const auto& entry : std::filesystem::directory_iterator(folder))
-    if (entry.path().filename().string().starts_with("populations")) return content_of(entry.path());
-  ADD_FAILURE() << "no populations in " << folder;
-  return {};
+std::vector<double> populations_in(const std::string& folder) {
+  const Checkpoint checkpoint = ResultsReader(folder + "/results.h5").checkpoint();
+  return read_populations(folder, std::get<std::int64_t>(checkpoint.scalars.at("steps")));
 }
 
 TEST_F(ResolvedRun, HasTheSameBytesOnTwoThreads) {

@@ -21,7 +21,7 @@ class ResolvedGuard : public ::testing::Test {
  protected:
   const Case settled_ = std::get<Case>(
       read_any_case_text("fidelity = \"resolved\"\n", "guard",
-                         {"suspension.solid_fraction=0.1", "suspension.count=10", "suspension.sizes.law=monodisperse",
+                         {"suspension.solid_fraction=0.1", "suspension.count=9", "suspension.sizes.law=monodisperse",
                           "resolution.cells_per_diameter=5", "run.strain=1"}));
   const Plan plan_ = make_plan(settled_);
   ThreadTeam team_{1};
@@ -70,8 +70,7 @@ TEST_F(ResolvedGuard, NamesTheSphere) {
   EXPECT_EQ(complaint([&] { check_sphere_speeds(s_); }), "");
   s_.state.set_velocity(2, {0, 0.31 * sound, 0});
   EXPECT_THAT(complaint([&] { check_sphere_speeds(s_); }),
-              AllOf(HasSubstr("particle " + std::to_string(s_.state.id[2]) + " moves at Mach number 0.31"),
-                    HasSubstr("\n  fix: ")));
+              AllOf(HasSubstr("particle 2 moves at Mach number 0.31"), HasSubstr("\n  fix: ")));
 }
 
 }  // namespace

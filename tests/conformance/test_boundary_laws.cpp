@@ -1,34 +1,12 @@
-// Every law in BoundaryLaws: rest, mass, steady flows with closed forms, symmetry, restart; solid cells; refusals.
+// Every law in BoundaryLaws: rest, mass, steady flows with closed forms, symmetry, blocks, restart.
 #include <gtest/gtest.h>
 
-#include "../small_fluid.hpp"
-#include "stresslet/lattice/boundary/laws.hpp"
-#include "stresslet/lattice/laws.hpp"
+#include "../boundary_cases.hpp"
 
 namespace stresslet {
 namespace {
 
 using namespace testing;
-
-struct StencilOf {
-  std::string name;
-  int dimensions;
-};
-
-std::vector<StencilOf> stencils() {
-  std::vector<StencilOf> all;
-  Stencils::for_each([&](auto s) {
-    using Stencil = typename decltype(s)::type;
-    all.push_back({std::string(Stencil::name), Stencil::dimensions});
-  });
-  return all;
-}
-
-bool is_wall(std::string_view law) {
-  bool wall = false;
-  BoundaryLaws::dispatch(law, [&](auto l) { wall = decltype(l)::type::is_wall; });
-  return wall;
-}
 
 class BoundaryLaw : public ::testing::TestWithParam<std::string> {
  protected:
@@ -44,14 +22,6 @@ INSTANTIATE_TEST_SUITE_P(All, BoundaryLaw, ::testing::ValuesIn(BoundaryLaws::nam
   std::replace(name.begin(), name.end(), '-', '_');
   return name;
 });
-
-/// Faces of this law across `axis`, the rest periodic.
-FluidSetup between_faces(const StencilOf& stencil, int axis, const std::string& law, const Cells& size) {
-  FluidSetup setup = fluid_setup(stencil.name, size);
-  setup.grid.closure[std::size_t(axis)] = Closure::open;
-  for (FaceSetup& face : setup.faces[std::size_t(axis)]) face.law = law;
-  return setup;
-}
 
 TEST_P(BoundaryLaw, LeavesFluidAtRestExactlyAtRest) {
   for (const StencilOf& stencil : stencils())
@@ -121,38 +91,6 @@ TEST_P(BoundaryLaw, PoiseuilleFlowIsAParabola) {
               << stencil.name << " tau " << tau << " axis " << axis;
         });
       }
-}
-
-TEST(HalfWayWall, SlipsAsTheMagicParameterTells) {
-  // F/(8 nu) ((16/3) Lambda - 1) at the wall, added to the parabola; BGK has Lambda = (tau - 1/2)^2.
-  for (const std::string law : {"half-way", "full-way"})
-    for (const std::string collision : {"TRT", "BGK"})
-      for (const double tau : {0.6, 0.5 + std::sqrt(3.0) / 4, 2.0}) {
-        const int n = 7;
-        FluidSetup setup = between_faces({"D3Q19", 3}, 1, law, {1, n, 1});
-        setup.rates.relaxation_time = tau, setup.rates.magic_parameter = 1.0 / 12, setup.collision = collision;
-        setup.forcing = "guo";
-        const double magic = collision == "BGK" ? (tau - 0.5) * (tau - 0.5) : 1.0 / 12;
-        SmallFluid fluid(setup);
-        const double force = 1e-10, viscosity = kinematic_viscosity_lu(tau);
-        fluid->set_force_density({force, 0, 0});
-        fluid.start_at_rest();
-        fluid.advance(int(300 / viscosity));
-        const double slip = force / (8 * viscosity) * (16.0 / 3 * magic - 1);
-        fluid.for_each([&](const Cells& c, const CellState& state) {
-          const double y = c[1] + 0.5;
-          EXPECT_NEAR(state.velocity.x / (force / (2 * viscosity)), y * (n - y) + slip * 2 * viscosity / force, 1e-8)
-              << law << collision << tau;
-        });
-      }
-}
-
-/// Some smooth field without symmetry.
-CellState swirl(const Cells& c, bool flat) {
-  const double x = 0.7 * c[0], y = 0.9 * c[1], z = flat ? 0 : 1.1 * c[2];
-  return {1 + 0.01 * std::sin(x + 2 * y + z),
-          {0.02 * std::sin(y - z), 0.03 * std::cos(x + z), flat ? 0 : 0.01 * std::sin(x - 2 * y)},
-          {}};
 }
 
 std::vector<std::uint8_t> some_solid(const Cells& n) {
@@ -336,54 +274,6 @@ TEST_P(BoundaryLaw, ConservesMassOrHoldsWhatItPrescribes) {
     }
 }
 
-/// Peak velocity of flow along x under a body force between regularised resting faces across y, over the closed form.
-double regularised_peak(const std::string& stencil, double relaxation_time, int cells) {
-  FluidSetup setup = between_faces({stencil, 0}, 1, "regularised-velocity", {1, cells, 1});
-  setup.rates.relaxation_time = relaxation_time, setup.forcing = "guo";
-  SmallFluid fluid(setup);
-  const double force = 1e-10, viscosity = kinematic_viscosity_lu(relaxation_time), half = 0.5 * (cells - 1);
-  fluid->set_force_density({force, 0, 0});
-  fluid.start_at_rest();
-  fluid.advance(int(6 * half * half / viscosity));
-  return fluid.at({0, (cells - 1) / 2, 0}).velocity.x / (force * half * half / (2 * viscosity));
-}
-
-TEST(RegularisedVelocity, ConvergesToPoiseuilleFlowWithSecondOrder) {
-  for (const std::string stencil : {"D2Q9", "D3Q19", "D3Q27"})
-    for (const double tau : {0.55, 0.9, 2.0}) {
-      const double coarse = regularised_peak(stencil, tau, 9) - 1, fine = regularised_peak(stencil, tau, 17) - 1;
-      EXPECT_LT(std::abs(coarse), 0.006) << stencil << tau;
-      EXPECT_NEAR(coarse / fine, 4, 0.05) << stencil << tau;
-    }
-}
-
-TEST(RegularisedFaces, StayStableWithBgkWhereOthersDoNot) {
-  for (const bool regularised : {false, true}) {
-    const std::string prefix = regularised ? "regularised-" : "";
-    FluidSetup setup = between_faces({"D2Q9", 2}, 0, prefix + "velocity", {40, 16, 1});
-    setup.faces[0][1].law = prefix + "pressure";
-    setup.faces[0][0].velocity_lu = {0.05, 0, 0};
-    setup.collision = "BGK", setup.rates.relaxation_time = 0.52;
-    SmallFluid fluid(setup);
-    fluid.start([](const Cells& c) { return CellState{1, {0.05, 0.001 * std::sin(c[0] * 1.3 + c[1]), 0}, {}}; });
-    fluid.advance(3000);
-    EXPECT_EQ(fluid.totals().finite, regularised);
-  }
-}
-
-TEST(Walls, KeepPoiseuilleFlowExactAtFiniteMachNumber) {
-  for (const std::string law : {"half-way", "velocity"}) {
-    FluidSetup setup = between_faces({"D3Q19", 3}, 1, law, {1, 7, 1});
-    setup.rates.relaxation_time = 0.8, setup.forcing = "guo";
-    SmallFluid fluid(setup);
-    const double half = law == "half-way" ? 3.5 : 3, viscosity = 0.1, peak = 0.1;
-    fluid->set_force_density({peak * 2 * viscosity / (half * half), 0, 0});
-    fluid.start_at_rest();
-    fluid.advance(2000);
-    EXPECT_NEAR(fluid.at({0, 3, 0}).velocity.x / peak, 1, 1e-12) << law;
-  }
-}
-
 /// Velocity in the middle of a channel between pressures on the outermost nodes, over that under the body force
 /// (rho_in - rho_out) / (3 (nx - 1)); `cells` between half-way walls.
 double pressure_driven_peak(const std::string& law, const std::string& stencil, double relaxation_time, int cells) {
@@ -410,152 +300,6 @@ TEST_P(BoundaryLaw, PressureDrivesChannelFlow) {
       EXPECT_LT(std::abs(coarse), 4e-3) << stencil << tau;
       EXPECT_NEAR(coarse / fine, 8, 0.5) << stencil << tau;
     }
-}
-
-/// Peak over mean velocity at the cells of a square duct `n` cells wide (series in White, Viscous Fluid Flow).
-double duct_peak_over_mean(int n) {
-  const auto velocity = [&](int j, int k) {
-    const double y = (j + 0.5) / n - 0.5, z = (k + 0.5) / n - 0.5;
-    double sum = 0;
-    for (int m = 1; m < 60; m += 2)
-      sum += (m % 4 == 1 ? 1 : -1) / std::pow(m, 3) * (1 - std::cosh(m * pi * z) / std::cosh(m * pi / 2)) *
-             std::cos(m * pi * y);
-    return sum;
-  };
-  double sum = 0;
-  for (int j = 0; j < n; ++j)
-    for (int k = 0; k < n; ++k) sum += velocity(j, k);
-  return velocity(n / 2, n / 2) * n * n / sum;
-}
-
-TEST(Openings, WhatComesInGoesOutOfAChannelAndADuct) {
-  for (const std::string prefix : {"", "regularised-"})
-    for (const bool duct : {false, true}) {
-      const int n = 8, length = 24;
-      FluidSetup setup = fluid_setup(duct ? "D3Q19" : "D2Q9", {length, n, duct ? n : 1},
-                                     {Closure::open, Closure::open, duct ? Closure::open : Closure::periodic});
-      setup.rates.relaxation_time = 0.9;
-      setup.faces[0][0].law = prefix + "velocity", setup.faces[0][1].law = prefix + "pressure";
-      setup.faces[0][0].velocity_lu = {1e-4, 0, 0};
-      SmallFluid fluid(setup);
-      fluid.start_at_rest();
-      fluid.advance(3000);
-      std::vector<double> flux(length);
-      double peak = 0, mean = 0;
-      fluid.for_each([&](const Cells& c, const CellState& state) {
-        flux[std::size_t(c[0])] += state.density * state.velocity.x;
-        if (c[0] != length * 3 / 4) return;
-        peak = std::max(peak, state.velocity.x);
-        mean += state.velocity.x / setup.grid.size[1] / setup.grid.size[2];
-      });
-      for (const double f : flux) EXPECT_NEAR(f / flux[0], 1, 3e-6) << prefix << duct;
-      EXPECT_NEAR(mean, 1e-4, 1e-7);
-      // At the cells of a channel 8 cells wide the parabola y (8 - y) has the peak 15.75 and the mean 10.75.
-      const double expected = duct ? duct_peak_over_mean(n) : 15.75 / 10.75;
-      EXPECT_NEAR(peak / mean / expected, 1, duct ? 2e-3 : 1e-4) << prefix << duct;
-    }
-}
-
-TEST(Openings, ADuctHasItsPeakOverMean) {
-  // 2.0963 in the limit of many cells (White, Viscous Fluid Flow): the reference of the test above.
-  EXPECT_NEAR(duct_peak_over_mean(65), 2.0963, 1e-3);
-}
-
-TEST(SolidCells, MakeTheSameWallsAsOpenFaces) {
-  for (const StencilOf& stencil : stencils())
-    for (const bool single : {false, true})
-      for (const int steps : {8, 9}) {
-        if (single && stencil.name != "D3Q19") continue;
-        const bool flat = stencil.dimensions == 2;
-        const int nz = flat ? 1 : 3;
-        const auto state = [&](const Cells& c) { return swirl(c, flat); };
-        FluidSetup open = between_faces(stencil, 1, "half-way", {5, 4, nz});
-        open.single_precision = single, open.forcing = "guo";
-        SmallFluid walls(open);
-        walls->set_force_density({1e-4, 2e-4, 0});
-        walls.start(state);
-        walls.advance(steps);
-
-        FluidSetup closed = fluid_setup(stencil.name, {5, 6, nz});
-        closed.single_precision = single, closed.forcing = "guo", closed.grid.blocks = {1, 2, 1};
-        for (int z = 0; z < nz; ++z)
-          for (int y = 0; y < 6; ++y)
-            for (int x = 0; x < 5; ++x) closed.solid.push_back(y == 0 || y == 5);
-        SmallFluid solid(closed);
-        solid->set_force_density({1e-4, 2e-4, 0});
-        solid.start([&](const Cells& c) { return state({c[0], c[1] - 1, c[2]}); });
-        solid.advance(steps);
-        walls.for_each([&](const Cells& c, const CellState& expected) {
-          const CellState found = solid.at({c[0], c[1] + 1, c[2]});
-          EXPECT_EQ(found.density, expected.density);
-          EXPECT_EQ(found.velocity, expected.velocity);
-          EXPECT_EQ(found.strain_rate, expected.strain_rate);
-        });
-        const auto a = walls.totals(), b = solid.totals();
-        EXPECT_EQ(a.mass_deviation, b.mass_deviation);
-        EXPECT_EQ(a.momentum, b.momentum);
-        EXPECT_EQ(a.lowest_density, b.lowest_density);
-        EXPECT_EQ(solid.at({2, 0, 0}).density, 1);
-        EXPECT_EQ(solid.at({2, 5, 0}).velocity, Vec3<double>{});
-      }
-}
-
-TEST(SolidCells, GiveTheSameBitsInAShearedBoxOfAnyBlocks) {
-  const auto run = [](const Cells& blocks) {
-    FluidSetup setup = fluid_setup("D3Q19", {7, 6, 4}, {Closure::periodic, Closure::sheared, Closure::periodic});
-    setup.grid.blocks = blocks, setup.shear_velocity_lu = 0.05, setup.forcing = "guo";
-    setup.solid.resize(7 * 6 * 4);
-    for (const std::size_t cell : {15, 16, 23, 70, 111, 113, 135}) setup.solid[cell] = 1;
-    SmallFluid fluid(setup, blocks[1]);
-    fluid->set_force_density({1e-4, -2e-4, 3e-4});
-    fluid.start([](const Cells& c) { return swirl(c, false); });
-    const double before = fluid.totals().mass_deviation;
-    fluid.advance(9);
-    EXPECT_NEAR(fluid.totals().mass_deviation, before, 1e-14);
-    return fluid.populations();
-  };
-  const std::vector<double> expected = run({1, 1, 1});
-  EXPECT_EQ(run({2, 2, 2}), expected);
-  EXPECT_EQ(run({3, 1, 1}), expected);
-}
-
-TEST(Boundaries, RefuseContradictions) {
-  const auto complaint = [](const FluidSetup& setup) -> std::string {
-    try {
-      Fluid::make(setup);
-      return "";
-    } catch (const std::invalid_argument& error) {
-      return error.what();
-    }
-  };
-  FluidSetup setup = fluid_setup("D3Q19", {4, 4, 4}, {Closure::open, Closure::open, Closure::periodic});
-  EXPECT_EQ(complaint(setup), "");
-  setup.faces[0][1].law = "sponge";
-  EXPECT_NE(complaint(setup).find("unknown boundary law 'sponge' on the upper face of x"), std::string::npos);
-  setup.faces[0][1].law = "pressure";
-  EXPECT_EQ(complaint(setup), "");
-  setup.faces[1][0].law = "velocity";
-  EXPECT_NE(complaint(setup).find("openings on faces of x and y"), std::string::npos);
-  setup.faces[1][0] = {"full-way", {0, 0.1, 0}, 1};
-  EXPECT_NE(complaint(setup).find("the wall on the lower face of y moves through itself"), std::string::npos);
-  setup.faces[1][0] = {};
-  setup.faces[0][1].density_lu = 0;
-  EXPECT_NE(complaint(setup).find("needs a positive density"), std::string::npos);
-  setup.faces[0][1].density_lu = 1, setup.grid.size[0] = 1;
-  EXPECT_NE(complaint(setup).find("needs two cells across"), std::string::npos);
-  setup.grid.size[0] = 4, setup.solid.resize(63);
-  EXPECT_NE(complaint(setup).find("63 values for 64 cells"), std::string::npos);
-  setup = fluid_setup("D3Q19", {4, 4, 4}, {Closure::periodic, Closure::sheared, Closure::periodic});
-  setup.solid.resize(64);
-  EXPECT_EQ(complaint(setup), "");
-  setup.solid[5] = 1;
-  EXPECT_EQ(complaint(setup), "");
-  setup.solid[1] = 1;
-  EXPECT_NE(complaint(setup).find("solid cells at a sheared face, at x = 1, z = 0"), std::string::npos);
-  setup.solid.clear(), setup.grid.closure[2] = Closure::open;
-  EXPECT_NE(complaint(setup).find("make x and z periodic"), std::string::npos);
-  setup = fluid_setup("D2Q9", {4, 4, 1}, {Closure::periodic, Closure::periodic, Closure::open});
-  EXPECT_NE(complaint(setup).find("two-dimensional"), std::string::npos);
 }
 
 }  // namespace

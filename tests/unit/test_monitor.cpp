@@ -4,24 +4,15 @@
 
 #include <limits>
 
-#include "stresslet/base/error.hpp"
+#include "../numerical_failure.hpp"
 #include "stresslet/simulation/monitor.hpp"
 
 namespace stresslet {
 namespace {
 
 using ::testing::AllOf;
+using testing::failure_of;
 using ::testing::HasSubstr;
-
-std::string failure_of(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const NumericalFailure& failure) {
-    EXPECT_EQ(failure.code(), ExitCode::numerical);
-    return failure.what();
-  }
-  return "";
-}
 
 /// Samples every 0.01 of strain up to `strain`: stress 3 from contacts, dissipation as given.
 Series series_up_to(double strain, double dissipation) {

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "stresslet/base/error.hpp"
+#include "../numerical_failure.hpp"
 #include "stresslet/simulation/any_case.hpp"
 #include "stresslet/simulation/monitor.hpp"
 #include "stresslet/simulation/plan.hpp"
@@ -15,6 +15,7 @@ namespace stresslet {
 namespace {
 
 using ::testing::AllOf;
+using testing::failure_of;
 using ::testing::HasSubstr;
 
 class ResolvedGuard : public ::testing::Test {
@@ -36,23 +37,14 @@ class ResolvedGuard : public ::testing::Test {
     populations[3 + std::size_t(n[0]) * (4 + std::size_t(n[1]) * 5)] += added;
     s_.resolved->restore(team_, populations, s_.steps, s_.box.offset);
     sample(s_, team_);
-    return complaint([&] { check_fluid(s_); });
-  }
-  static std::string complaint(const std::function<void()>& check) {
-    try {
-      check();
-    } catch (const NumericalFailure& failure) {
-      EXPECT_EQ(failure.code(), ExitCode::numerical);
-      return failure.what();
-    }
-    return "";
+    return failure_of([&] { check_fluid(s_); });
   }
 };
 
 TEST_F(ResolvedGuard, IsSilentOnASoundFluid) {
   EXPECT_EQ(complaint_with(0.25), "");
   EXPECT_EQ(complaint_with(-0.5), "");
-  EXPECT_EQ(complaint([&] { check_sphere_speeds(s_); }), "");
+  EXPECT_EQ(failure_of([&] { check_sphere_speeds(s_); }), "");
 }
 
 TEST_F(ResolvedGuard, NamesTheCell) {
@@ -67,9 +59,9 @@ TEST_F(ResolvedGuard, NamesTheSphere) {
   // Mach 0.29 and 0.31; speed of sound 1/sqrt(3) cells a step.
   const double sound = s_.resolved->setup().cell / (std::sqrt(3.0) * s_.time.step);
   s_.state.set_velocity(2, {0.29 * sound, 0, 0});
-  EXPECT_EQ(complaint([&] { check_sphere_speeds(s_); }), "");
+  EXPECT_EQ(failure_of([&] { check_sphere_speeds(s_); }), "");
   s_.state.set_velocity(2, {0, 0.31 * sound, 0});
-  EXPECT_THAT(complaint([&] { check_sphere_speeds(s_); }),
+  EXPECT_THAT(failure_of([&] { check_sphere_speeds(s_); }),
               AllOf(HasSubstr("particle 2 moves at Mach number 0.31"), HasSubstr("\n  fix: ")));
 }
 

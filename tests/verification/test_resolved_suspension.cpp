@@ -77,20 +77,15 @@ TEST(LongResolvedSuspension, ShearedLatticeCutByTheFace) {
 
 /// Power of the stress less what is dissipated and what is stored, over the power; means over [from, strain].
 double imbalance(Suspension& s, ThreadTeam& team, double from) {
-  const auto measured = [&] {
-    Sample m = sample(s, team);
-    s.resolved->add_to(m);
-    return m;
-  };
   while (s.strain < from) step(s, team);
-  const Sample begin = measured();
+  const Sample begin = sample(s, team);
   double stress = 0, dissipated = 0;
   Sample m = begin;
   constexpr int samples = 8, steps_between = 12;
   const double start_strain = s.strain;
   for (int n = 0; n < samples; ++n) {
     for (int k = 0; k < steps_between; ++k) step(s, team);
-    m = measured();
+    m = sample(s, team);
     stress += (1 + m.stress.total().xy) / samples;
     dissipated += (1 + m.stress.stresslet.xy + m.dissipation()) / samples;
   }
@@ -141,8 +136,7 @@ ThroughPlane through_plane(Suspension& s, ThreadTeam& team, double from, double 
   int samples = 0;
   while (s.strain < until) {
     for (int k = 0; k < 8; ++k) step(s, team);
-    Sample m = sample(s, team);
-    s.resolved->add_to(m);
+    const Sample m = sample(s, team);
     fluid = sample_fluid(s, team);
     sum.plane += fluid.viscosity_through_plane;
     sum.summed += 1 + m.stress.total().xy;

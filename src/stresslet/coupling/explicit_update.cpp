@@ -45,8 +45,7 @@ void ExplicitUpdate::apply(std::vector<ResolvedSphere>& spheres, const std::vect
   before_.resize(n);
   resistance_.resize(n);
   for (std::size_t k = 0; k < n; ++k) {
-    const Vec3<double>&u = spheres[k].velocity, &w = spheres[k].angular_velocity;
-    before_[k] << u.x, u.y, u.z, w.x, w.y, w.z;
+    before_[k] = stacked(spheres[k].velocity, spheres[k].angular_velocity);
     resistance_[k] = systems_[k].matrix;
     resistance_[k].diagonal() -= diagonal(inertia[k]);
     systems_[k].right -= systems_[k].matrix * before_[k];

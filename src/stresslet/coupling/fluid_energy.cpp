@@ -1,6 +1,5 @@
 #include "stresslet/coupling/fluid_energy.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "stresslet/coupling/laws.hpp"
@@ -64,7 +63,6 @@ FluidEnergy row_energy(const Lattice<Stencil, double>& lattice, int block, std::
   const double mean_flow = lattice.shear_velocity / lattice.grid.size[1] * height;
   typename Collision::template Cell<Stencil, double> collision(lattice.input.rates);
   FluidEnergy sum;
-  double worst = -1;
   for (int x = 0; x < nx; ++x) {
     const CellPopulations<Stencil, double> before =
         incoming(of_block.populations, lattice.arrangement, layout.index(x, y, z));
@@ -90,31 +88,20 @@ FluidEnergy row_energy(const Lattice<Stencil, double>& lattice, int block, std::
     sum.reynolds += density * square(u);
     sum.stored_momentum += height * (m.momentum.x - density * mean_flow);
 
-    const double deviation = m.density_deviation;
-    const bool finite = std::isfinite(deviation) && std::isfinite(dot(u, u));
-    sum.lowest_density = std::min(sum.lowest_density, density);
-    sum.highest_density = std::max(sum.highest_density, density);
-    if (!sum.finite || (finite && std::abs(deviation) <= worst)) continue;
-    worst = std::abs(deviation);
-    sum.finite = finite;
-    sum.worst_cell = {of_block.origin[0] + x, of_block.origin[1] + y, of_block.origin[2] + z};
+    sum.see({of_block.origin[0] + x, of_block.origin[1] + y, of_block.origin[2] + z}, density,
+            std::isfinite(density) && std::isfinite(dot(u, u)));
   }
   return sum;
 }
 
-double farthest(const FluidEnergy& e) { return std::max(1 - e.lowest_density, e.highest_density - 1); }
-
 }  // namespace
 
 void add_row(FluidEnergy& sum, const FluidEnergy& row) {
-  if (sum.finite && (!row.finite || farthest(row) > farthest(sum))) sum.worst_cell = row.worst_cell;
-  sum.finite = sum.finite && row.finite;
+  sum.see(row);
   sum.collisions += row.collisions;
   sum.slip += row.slip;
   sum.reynolds += row.reynolds;
   sum.stored_momentum += row.stored_momentum;
-  sum.lowest_density = std::min(sum.lowest_density, row.lowest_density);
-  sum.highest_density = std::max(sum.highest_density, row.highest_density);
 }
 
 template <class Stencil>

@@ -21,14 +21,11 @@
 namespace stresslet {
 
 /// Sums over all cells in lattice units; the same bits for any number of threads.
-struct FluidEnergy {
+struct FluidEnergy : DensityRange {
   double collisions = 0;          ///< dissipated a step, by collisions
   double slip = 0;                ///< dissipated a step, between solid and fluid
   SymTensor3<double> reynolds{};  ///< sum rho u' u', u' = u less the mean shear flow
   double stored_momentum = 0;     ///< sum rho u*'_x y, y from the middle of the domain
-  double lowest_density = 1, highest_density = 1;
-  Cells worst_cell{};  ///< where the density is farthest from 1, or the first that is not finite
-  bool finite = true;
 
   double kinetic() const { return 0.5 * trace(reynolds); }
 };

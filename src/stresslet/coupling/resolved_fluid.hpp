@@ -54,8 +54,6 @@ class ResolvedFluid : private FluidOf<D3Q19, double> {
   const ExchangeSums& exchange(std::size_t k) const { return exchange_[k]; }
   /// After `prepare`: friction of spheres that share cells, one entry per pair of images, lumped at its centroid.
   const std::vector<PointFriction>& friction() const { return friction_; }
-  /// After `prepare`: what the spheres exchange with cells behind the sheared plane.
-  const std::vector<ExchangeAcross>& across() const { return across_; }
 
   /// After `prepare`: which cells the spheres cover.
   const CoveredRuns& covered() const { return covered_; }

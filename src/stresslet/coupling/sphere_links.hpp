@@ -13,6 +13,12 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;
 using Vector12 = Eigen::Matrix<double, 12, 1>;
 using Matrix12 = Eigen::Matrix<double, 12, 12>;
 
+inline Vector6 stacked(const Vec3<double>& a, const Vec3<double>& b) {
+  Vector6 v;
+  v << a.x, a.y, a.z, b.x, b.y, b.z;
+  return v;
+}
+
 /// Forces and torques on both spheres are  -resistance (U1, w1, U2 + jump, w2),  in lattice units, each about its own
 /// centre. `resistance` is symmetric and positive semi-definite and feels no rigid motion of the pair.
 struct SphereLink {

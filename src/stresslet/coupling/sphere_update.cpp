@@ -6,12 +6,6 @@ namespace stresslet {
 
 namespace {
 
-Vector6 stacked(const Vec3<double>& a, const Vec3<double>& b) {
-  Vector6 v;
-  v << a.x, a.y, a.z, b.x, b.y, b.z;
-  return v;
-}
-
 /// Clears what a held sphere does not answer to.
 void keep_free(Vector6& v, const SphereInertia& inertia) {
   if (!inertia.translates) v.head<3>().setZero();

@@ -14,6 +14,7 @@
 #include "stresslet/base/vec3.hpp"
 #include "stresslet/exec/thread_team.hpp"
 #include "stresslet/lattice/collision/rates.hpp"
+#include "stresslet/lattice/density_range.hpp"
 #include "stresslet/lattice/grid.hpp"
 
 namespace stresslet {
@@ -70,12 +71,9 @@ class Fluid {
                        const std::function<void(const Cells&, const CellState&)>& visit) = 0;
 
   /// Sums over all cells that are not solid; the same bits for any number of threads and blocks.
-  struct Totals {
+  struct Totals : DensityRange {
     double mass_deviation = 0;  ///< sum of density - 1
     Vec3<double> momentum{};    ///< of the incoming populations, without half the body force
-    double lowest_density = 1, highest_density = 1;
-    Cells worst_cell{};  ///< where the density is farthest from 1, or the first that is not finite
-    bool finite = true;
   };
   virtual Totals totals(ThreadTeam& team) = 0;
 

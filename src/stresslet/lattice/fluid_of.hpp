@@ -86,20 +86,15 @@ class FluidOf : public Fluid {
       if (!is_solid(global)) cells[cell_number(global)] = {m.density_deviation, m.momentum};
     });
     Totals sum;
-    double worst = -1;
     for (std::size_t k = 0; k < cells.size(); ++k) {
       const double deviation = cells[k].density_deviation;
       const Vec3<double>& momentum = cells[k].momentum;
       sum.mass_deviation += deviation;
       sum.momentum += momentum;
       const bool finite = std::isfinite(deviation) && std::isfinite(dot(momentum, momentum));
-      sum.lowest_density = std::min(sum.lowest_density, 1 + deviation);
-      sum.highest_density = std::max(sum.highest_density, 1 + deviation);
-      if (!sum.finite || (finite && std::abs(deviation) <= worst)) continue;
-      worst = std::abs(deviation);
-      sum.finite = finite;
-      sum.worst_cell = {int(k % std::size_t(n[0])), int(k / std::size_t(n[0]) % std::size_t(n[1])),
-                        int(k / (std::size_t(n[0]) * std::size_t(n[1])))};
+      sum.see({int(k % std::size_t(n[0])), int(k / std::size_t(n[0]) % std::size_t(n[1])),
+               int(k / (std::size_t(n[0]) * std::size_t(n[1])))},
+              1 + deviation, finite);
     }
     return sum;
   }

@@ -63,10 +63,8 @@ void check_finite(const Suspension& s) {
 
 void check_fluid(const Suspension& s) {
   const FluidEnergy& look = s.resolved->last_look();
-  const bool compressed = look.highest_density - 1 > 1 - look.lowest_density;
   const auto complaint =
-      cell_defect(look.worst_cell, compressed ? look.highest_density : look.lowest_density, look.finite,
-                  fmt::format("strain {:.6g}", s.strain),
+      cell_defect(look.worst_cell, look.worst_density(), look.finite, fmt::format("strain {:.6g}", s.strain),
                   "start a new run with a smaller resolution.relaxation_time or flow.reynolds, or with more "
                   "resolution.cells_per_diameter");
   if (complaint) throw NumericalFailure(*complaint);

@@ -69,15 +69,12 @@ bool passed(const Run& run, double interval) {
 
 void take_sample(Run& run) {
   Suspension& s = run.suspension;
-  Sample m = sample(s, run.team);
+  const Sample m = sample(s, run.team);
   if (s.resolved) check_fluid(s);
   check_finite(s);
   check_solver(s);
   FluidSample fluid;
-  if (s.resolved) {
-    s.resolved->add_to(m);
-    fluid = sample_fluid(s, run.team);
-  }
+  if (s.resolved) fluid = sample_fluid(s, run.team);
   run.results.add_sample(run.series.add(s.strain, m, double(run.plan.count()), s.solver_report.iterations, fluid));
   if (s.box.shear_rate > 0) check_energy_balance(run.series, run.settled.run.monitor_tolerance);
   if (s.strain >= run.settled.run.average_from.value_or(profile_from_without_average) - strain_round_off)

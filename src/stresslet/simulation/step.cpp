@@ -125,6 +125,7 @@ Sample sample(const Suspension& s, ThreadTeam& team) {
     const double background = s.box.mean_gradient() * s.box.mean_gradient();
     result.dissipation_drag = s.resolved->dissipation(team, s.state, s.box, s.fluid_coupling) - background -
                               result.stress.stresslet.xy * s.box.mean_gradient();
+    s.resolved->add_to(result);
   }
   return result;
 }

@@ -42,10 +42,10 @@ Estimate stress_closure(const Series& series, const AveragingWindow& window) {
   return closure;
 }
 
-struct DensityRange {
+struct DensityExtremes {
   double lowest, highest;
 };
-DensityRange density_range(const Series& series) {
+DensityExtremes density_extremes(const Series& series) {
   const auto &low = series["lowest_density"], &high = series["highest_density"];
   return {*std::min_element(low.begin(), low.end()), *std::max_element(high.begin(), high.end())};
 }
@@ -60,7 +60,7 @@ std::string fluid_lines(const Series& series, const AveragingWindow& window) {
         fmt::format("  through the plane       {:>9.4g} +- {:.2g}   (summed stress differs by {:.2g} +- {:.1g} %)\n",
                     plane.mean, plane.error, 100 * closure.mean, 100 * closure.error);
   }
-  const DensityRange density = density_range(series);
+  const DensityExtremes density = density_extremes(series);
   text += fmt::format("density of the fluid      {:>9.4g} to {:.4g}{}\n", density.lowest, density.highest,
                       density.highest - density.lowest > wide
                           ? "   (compressed: the viscosity reads some per cent low; lower the relaxation time)"
@@ -108,7 +108,7 @@ std::string summary_json(const Case& settled, const Plan& plan, const Series& se
     j["reynolds_number"] = r.reynolds;
     j["cells_per_diameter"] = 1 / r.cell;
     if (series.has("relative_viscosity_through_plane")) j["stress_closure"] = as_json(stress_closure(series, window));
-    const DensityRange density = density_range(series);
+    const DensityExtremes density = density_extremes(series);
     j["lowest_density"] = density.lowest;
     j["highest_density"] = density.highest;
     j["lattice_updates_per_second"] =

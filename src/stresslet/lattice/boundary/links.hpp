@@ -52,6 +52,31 @@ void for_each_halo_box(const Cells& size, Visit&& visit) {
   }
 }
 
+/// Places of one slot of a block, counted in rows and planes from one of them.
+template <class T>
+struct PlacesOfSlot {
+  T* first;
+  std::ptrdiff_t pitch, plane;
+  T* at(int y, int z) const { return first + y * pitch + z * plane; }
+};
+
+template <class Stencil, class T>
+PlacesOfSlot<T> places_of_slot(const Populations<Stencil, T>& populations, int slot, const Cells& first) {
+  const BlockLayout& layout = populations.layout();
+  return {populations.slot(slot) + layout.index(first), std::ptrdiff_t(layout.pitch()), std::ptrdiff_t(layout.plane())};
+}
+
+/// Halo places of a box from `first` on, coordinates in its block, and their partners.
+template <class Stencil, class T>
+PlacesOfSlot<T> halo_places(const Lattice<Stencil, T>& lattice, const LinkBox& box, const Cells& first) {
+  return places_of_slot(lattice.blocks[std::size_t(box.block)].populations, box.slot, first);
+}
+template <class Stencil, class T>
+PlacesOfSlot<T> partner_places(const Lattice<Stencil, T>& lattice, const LinkBox& box, const Cells& first) {
+  const Cells there{first[0] + box.to_partner[0], first[1] + box.to_partner[1], first[2] + box.to_partner[2]};
+  return places_of_slot(lattice.blocks[std::size_t(box.partner_block)].populations, box.partner_slot, there);
+}
+
 /// Copies along link boxes. Reads and writes 2 values per place and sweep, once every second step.
 template <class Stencil, class T>
 class LinkBoundary : public Boundary<Stencil, T> {
@@ -62,42 +87,25 @@ class LinkBoundary : public Boundary<Stencil, T> {
 
   void before_sweep(Lattice<Stencil, T>& lattice, Member& member) override {
     if (lattice.arrangement == Arrangement::departing)
-      for (const LinkBox& box : boxes_) copy(partner_rows(lattice, box), halo_rows(lattice, box), box, member);
+      for (const LinkBox& box : boxes_)
+        copy(partner_places(lattice, box, box.first), halo_places(lattice, box, box.first), box, member);
   }
   void after_sweep(Lattice<Stencil, T>& lattice, Arrangement swept, Member& member) override {
     if (swept == Arrangement::departing)
-      for (const LinkBox& box : boxes_) copy(halo_rows(lattice, box), partner_rows(lattice, box), box, member);
+      for (const LinkBox& box : boxes_)
+        copy(halo_places(lattice, box, box.first), partner_places(lattice, box, box.first), box, member);
   }
 
  private:
-  /// The places of a box in one of its blocks.
-  struct Rows {
-    T* first;
-    std::size_t pitch, plane;
-    T* row(std::size_t y, std::size_t z) const { return first + y * pitch + z * plane; }
-  };
-  static Rows rows(const Populations<Stencil, T>& populations, int slot, const Cells& first) {
-    const BlockLayout& layout = populations.layout();
-    return {populations.slot(slot) + layout.index(first), layout.pitch(), layout.plane()};
-  }
-  static Rows halo_rows(const Lattice<Stencil, T>& lattice, const LinkBox& box) {
-    return rows(lattice.blocks[std::size_t(box.block)].populations, box.slot, box.first);
-  }
-  static Rows partner_rows(const Lattice<Stencil, T>& lattice, const LinkBox& box) {
-    const Cells first{box.first[0] + box.to_partner[0], box.first[1] + box.to_partner[1],
-                      box.first[2] + box.to_partner[2]};
-    return rows(lattice.blocks[std::size_t(box.partner_block)].populations, box.partner_slot, first);
-  }
-
-  static void copy(const Rows& from, const Rows& to, const LinkBox& box, Member& member) {
+  static void copy(const PlacesOfSlot<T>& from, const PlacesOfSlot<T>& to, const LinkBox& box, Member& member) {
     const T correction = T(box.correction);
     const int count = box.last[0] - box.first[0] + 1;
-    const std::size_t ny = std::size_t(box.last[1] - box.first[1] + 1);
-    const Range rows = member.share(ny * std::size_t(box.last[2] - box.first[2] + 1));
-    std::size_t y = rows.begin % ny, z = rows.begin / ny;
+    const int ny = box.last[1] - box.first[1] + 1;
+    const Range rows = member.share(std::size_t(ny) * std::size_t(box.last[2] - box.first[2] + 1));
+    int y = int(rows.begin) % ny, z = int(rows.begin) / ny;
     for (std::size_t row = rows.begin; row < rows.end; ++row) {
-      const T* source = from.row(y, z);
-      T* target = to.row(y, z);
+      const T* source = from.at(y, z);
+      T* target = to.at(y, z);
       for (int k = 0; k < count; ++k) target[k] = source[k] + correction;
       if (++y == ny) y = 0, ++z;
     }

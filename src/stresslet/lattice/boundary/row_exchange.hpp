@@ -41,31 +41,19 @@ class RowExchange {
  private:
   static constexpr int rows_ahead = 4;
 
-  /// The place at (y, z) = (0, 0) and the distances between rows and planes.
-  struct Places {
-    T* first;
-    std::ptrdiff_t pitch, plane;
-    T* at(int y, int z) const { return first + y * pitch + z * plane; }
-  };
   /// Places that the cells of row (y, z) own, for y and z in [first, last].
   struct Link {
-    Places halo, partner;
+    PlacesOfSlot<T> halo, partner;
     std::array<int, 2> first, last;
     bool has(int y, int z) const { return y >= first[0] && y <= last[0] && z >= first[1] && z <= last[1]; }
   };
 
-  static Places places(const Populations<Stencil, T>& populations, int slot, const Cells& at) {
-    const BlockLayout& layout = populations.layout();
-    return {populations.slot(slot) + layout.index(at), std::ptrdiff_t(layout.pitch()), std::ptrdiff_t(layout.plane())};
-  }
   static Link link_of(const LinkBox& box, const Lattice<Stencil, T>& lattice) {
     // The cell that owns a place lies at the place minus c of its slot.
     const auto& c = Stencil::velocity[box.slot];
-    const Cells &first = box.first, &last = box.last;
-    const Cells halo{first[0], c[1], c[2]};
-    const Cells partner{halo[0] + box.to_partner[0], halo[1] + box.to_partner[1], halo[2] + box.to_partner[2]};
-    return {places(lattice.blocks[std::size_t(box.block)].populations, box.slot, halo),
-            places(lattice.blocks[std::size_t(box.partner_block)].populations, box.partner_slot, partner),
+    const Cells &first = box.first, &last = box.last, owned_by_first_row{first[0], c[1], c[2]};
+    return {halo_places(lattice, box, owned_by_first_row),
+            partner_places(lattice, box, owned_by_first_row),
             {first[1] - c[1], first[2] - c[2]},
             {last[1] - c[1], last[2] - c[2]}};
   }

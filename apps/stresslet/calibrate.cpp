@@ -21,7 +21,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Arguments {
+struct CalibrateArguments {
   PairScheme scheme;
   CalibrationPlan plan;
   std::string law = "soft-cut-off", output = "calibration.json", command_line;
@@ -41,7 +41,7 @@ struct Spread {
   double rms() const { return std::sqrt(sum_of_squares / count); }
 };
 
-std::vector<PairMeasurement> measure_all(const Arguments& a, const std::vector<CalibrationPoint>& points) {
+std::vector<PairMeasurement> measure_all(const CalibrateArguments& a, const std::vector<CalibrationPoint>& points) {
   using Clock = std::chrono::steady_clock;
   ThreadTeam team(a.threads);
   const auto start = Clock::now();
@@ -63,7 +63,7 @@ Json lengths_json(const SubgridLengths& l) { return {{"normal", l.normal}, {"sli
 
 Json vector_json(const Vec3<double>& v) { return {v.x, v.y, v.z}; }
 
-void calibrate(const Arguments& a) {
+void calibrate(const CalibrateArguments& a) {
   const std::vector<CalibrationPoint> points = calibration_points(a.plan);
   const std::vector<PairMeasurement> measurements = measure_all(a, points);
   const SubgridRange range;
@@ -145,7 +145,7 @@ void calibrate(const Arguments& a) {
 }  // namespace
 
 void add_calibrate(CLI::App& app, const std::string& command_line) {
-  auto a = std::make_shared<Arguments>();
+  auto a = std::make_shared<CalibrateArguments>();
   a->command_line = command_line;
   CLI::App* command = app.add_subcommand(
       "calibrate",

@@ -25,7 +25,7 @@ void listen_for_stop(RunOptions& options) {
   std::signal(SIGTERM, request_stop);
 }
 
-struct Arguments {
+struct RunArguments {
   std::string file;
   std::vector<std::string> overrides;
   RunOptions options;
@@ -34,7 +34,7 @@ struct Arguments {
 }  // namespace
 
 void add_run(CLI::App& app, ExitCode& code, const std::string& command_line) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<RunArguments>();
   CLI::App* command =
       app.add_subcommand("run", "Run a case. Ctrl-C or SIGTERM writes a checkpoint and ends with exit code 4");
   command->add_option("CASE", arguments->file, "Input file")->required();
@@ -50,7 +50,7 @@ void add_run(CLI::App& app, ExitCode& code, const std::string& command_line) {
 }
 
 void add_restart(CLI::App& app, ExitCode& code, const std::string& command_line) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<RunArguments>();
   CLI::App* command = app.add_subcommand(
       "restart",
       "Continue a run from its last checkpoint, bit for bit; --set may change [run], as in run.strain=20 or "

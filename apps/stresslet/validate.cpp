@@ -13,24 +13,23 @@ namespace stresslet {
 
 namespace {
 
-using namespace validation;
-
 void print_cases() {
-  for (const Case& c : cases()) fmt::print("{:<5}{:<62}validation/{}\n", c.id, c.title, c.folder);
+  for (const validation::Case& c : validation::cases())
+    fmt::print("{:<5}{:<62}validation/{}\n", c.id, c.title, c.folder);
 }
 
 /// The cases that were asked for, each once, in the order of the list.
-std::vector<Case> chosen_cases(const std::vector<std::string>& ids) {
-  std::vector<bool> wanted(cases().size(), false);
+std::vector<validation::Case> chosen_cases(const std::vector<std::string>& ids) {
+  std::vector<bool> wanted(validation::cases().size(), false);
   for (const std::string& id : ids) {
     if (id == "all")
       wanted.assign(wanted.size(), true);
     else
-      wanted[std::size_t(&case_called(id) - cases().data())] = true;
+      wanted[std::size_t(&validation::case_called(id) - validation::cases().data())] = true;
   }
-  std::vector<Case> chosen;
+  std::vector<validation::Case> chosen;
   for (std::size_t k = 0; k < wanted.size(); ++k)
-    if (wanted[k]) chosen.push_back(cases()[k]);
+    if (wanted[k]) chosen.push_back(validation::cases()[k]);
   return chosen;
 }
 
@@ -39,10 +38,10 @@ std::vector<Case> chosen_cases(const std::vector<std::string>& ids) {
 void add_validate(CLI::App& app, ExitCode& code, const std::string& command_line) {
   struct Arguments {
     std::vector<std::string> ids;
-    ValidateOptions options;
+    validation::ValidateOptions options;
   };
   auto arguments = std::make_shared<Arguments>();
-  ValidateOptions& options = arguments->options;
+  validation::ValidateOptions& options = arguments->options;
   options.output = "results/validation";
   options.command_line = command_line;
   CLI::App* command = app.add_subcommand(
@@ -56,9 +55,9 @@ void add_validate(CLI::App& app, ExitCode& code, const std::string& command_line
   command->add_option("--threads", options.threads, "Threads")->check(CLI::Range(1, 1024))->capture_default_str();
   command->callback([arguments, command, &code] {
     if (arguments->ids == std::vector<std::string>{"list"}) return print_cases();
-    const std::vector<Case> chosen = chosen_cases(arguments->ids);
+    const std::vector<validation::Case> chosen = chosen_cases(arguments->ids);
     arguments->options.folder_per_case = chosen.size() > 1 || command->count("--output") == 0;
-    code = validate(chosen, arguments->options);
+    code = validation::validate(chosen, arguments->options);
   });
 }
 

@@ -135,8 +135,9 @@ std::vector<std::string> resolved_warnings(const Case& c, const ResolvedSetup& s
     found.push_back(
         fmt::format("relaxation time {:.3g} lies outside the verified range, 0.55 to 2", s.rates.relaxation_time));
   if (s.rates.relaxation_time > 1.5 && s.reynolds > 0.02)
-    found.push_back("relaxation time above 1.5 at Re > 0.02: compressed fluid reads the viscosity some per cent low");
-  if (!s.correction) found.push_back("films below one cell are not corrected: the viscosity falls short");
+    found.emplace_back(
+        "relaxation time above 1.5 at Re > 0.02: compressed fluid reads the viscosity some per cent low");
+  if (!s.correction) found.emplace_back("films below one cell are not corrected: the viscosity falls short");
   return found;
 }
 

@@ -47,7 +47,7 @@ void add_list(CLI::App& app, ExitCode&) {
     if (*what == "keys") {
       fmt::print("{}", input_reference_markdown());
     } else if (*what == "columns") {
-      for (const Column& c : series_columns(FluidColumns::density_and_plane))
+      for (const Column& c : series_columns(FluidColumns::resolved_and_sheared))
         fmt::print("{:<40}{:<26}{}\n", c.name, c.unit, c.description);
     } else {
       print_models();

@@ -12,6 +12,7 @@ namespace {
 using namespace program;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 /// Spheres close enough to touch and to share cells.
 constexpr const char* small_resolved_case = R"(fidelity = "resolved"
@@ -81,6 +82,28 @@ TEST_F(ResolvedRun, SaysHowWellTheStressCloses) {
   EXPECT_GT(summary["lowest_density"].get<double>(), 0.9);
   EXPECT_GT(summary["highest_density"].get<double>(), 1);
   EXPECT_LT(summary["highest_density"].get<double>(), 1.1);
+}
+
+/// The fluid follows the mean shear flow, more or less in each plane of cells and well on average.
+TEST_F(ResolvedRun, KeepsTheVelocityProfileOfTheFluid) {
+  const ResultsReader reader(finished("results", {}) + "/results.h5");
+  const auto height = reader.profile("fluid_height").values, velocity = reader.profile("fluid_velocity").values;
+  ASSERT_EQ(height.size(), velocity.size());
+  const double top = height.back() + height.front();
+  EXPECT_NEAR(height[1] - height[0], 1.0 / 6, 0.01);
+  double slope = 0, squares = 0;
+  for (std::size_t k = 0; k < height.size(); ++k) {
+    const double y = height[k] - top / 2;
+    EXPECT_NEAR(velocity[k], y, 0.2) << k;
+    slope += velocity[k] * y;
+    squares += y * y;
+  }
+  EXPECT_NEAR(slope / squares, 1, 0.1);
+}
+
+TEST_F(ResolvedRun, CorrectsTheModesOfTheModel) {
+  EXPECT_THAT(checked({"model.name=NLM"}).out, HasSubstr("sliding 0, spin 0 cells"));
+  EXPECT_THAT(checked({"model.name=CLM"}).out, Not(HasSubstr("sliding 0,")));
 }
 
 TEST_F(ResolvedRun, RefusesWhatTheLatticeCannotHold) {

@@ -8,6 +8,7 @@
 
 #include "complaint_of.hpp"
 #include "stresslet/simulation/any_case.hpp"
+#include "stresslet/simulation/plan.hpp"
 
 namespace stresslet {
 namespace {
@@ -45,6 +46,17 @@ TEST(ReadCase, FillsInTheDocumentedDefaults) {
           .output.sample_every,
       0.01);
   EXPECT_TRUE(read.output.csv && read.output.xyz && read.output.paraview);
+}
+
+/// One key changes the fidelity of the same file.
+TEST(ReadCase, WhatOnlyTheResolvedFluidNeedsMayStay) {
+  const std::string text =
+      std::string("fidelity = \"resolved\"\n") + smallest_input + "[resolution]\ncells_per_diameter = 8\n";
+  const Case lubricated = std::get<Case>(read_any_case_text(text, "case.toml", {"fidelity=lubricated"}));
+  EXPECT_FALSE(lubricated.resolved());
+  EXPECT_EQ(lubricated.output.sample_every, 0.001);
+  EXPECT_THAT(plan_report(lubricated, make_plan(lubricated)),
+              testing::HasSubstr("resolution and flow.reynolds have no effect"));
 }
 
 TEST(ReadCase, ModelNamesMeanWhatTheThesisSays) {

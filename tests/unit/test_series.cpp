@@ -13,7 +13,7 @@ namespace {
 
 TEST(Series, ColumnsAreDistinctAndDescribed) {
   std::set<std::string> names;
-  for (const Column& column : series_columns(FluidColumns::density_and_plane)) {
+  for (const Column& column : series_columns(FluidColumns::resolved_and_sheared)) {
     EXPECT_TRUE(names.insert(column.name).second) << column.name;
     EXPECT_FALSE(column.unit.empty() || column.description.empty()) << column.name;
   }

@@ -46,9 +46,10 @@ void expect_balance(const std::string& collision, const std::string& coupling_op
   });
   const std::vector<ResolvedSphere> spheres{{{4.2, 6.1, 6.7}, 3.3, {speed, 0, -speed}, {0, 0.2 * speed, 0.3 * speed}},
                                             {{9.6, 6.4, 7.5}, 2.8, {0, -0.5 * speed, speed}, {0.1 * speed, 0, 0}}};
+  std::vector<FreeFluid> planes;
   for (int n = 0; n < 6; ++n) {
     const double before = lattice_energy(fluid.populations(team));
-    const FluidEnergy energy = fluid.energy(team, spheres);
+    const FluidEnergy energy = fluid.energy(team, spheres, planes);
     team.run([&](Member& member) {
       fluid.prepare(member, spheres);
       fluid.sweep(member, spheres);

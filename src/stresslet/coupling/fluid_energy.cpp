@@ -87,6 +87,7 @@ FluidEnergy row_energy(const Lattice<Stencil, double>& lattice, int block, std::
     const Vec3<double> u = u_before + (0.5 * held) * slip - Vec3<double>{mean_flow, 0, 0};
     sum.reynolds += density * square(u);
     sum.stored_momentum += height * (m.momentum.x - density * mean_flow);
+    if (cell.shared.drag == 0) sum.free += {1, u_before.x};
 
     sum.see({of_block.origin[0] + x, of_block.origin[1] + y, of_block.origin[2] + z}, density,
             std::isfinite(density) && std::isfinite(dot(u, u)));
@@ -102,6 +103,7 @@ void add_row(FluidEnergy& sum, const FluidEnergy& row) {
   sum.slip += row.slip;
   sum.reynolds += row.reynolds;
   sum.stored_momentum += row.stored_momentum;
+  sum.free += row.free;
 }
 
 template <class Stencil>

@@ -20,12 +20,25 @@
 
 namespace stresslet {
 
+/// The fluid that no sphere touches, in a plane of cells across y or part of one.
+struct FreeFluid {
+  double cells = 0;
+  double velocity = 0;  ///< sum of u_x over them, lattice units
+
+  FreeFluid& operator+=(const FreeFluid& other) {
+    cells += other.cells;
+    velocity += other.velocity;
+    return *this;
+  }
+};
+
 /// Sums over all cells in lattice units; the same bits for any number of threads.
 struct FluidEnergy : DensityRange {
   double collisions = 0;          ///< dissipated a step, by collisions
   double slip = 0;                ///< dissipated a step, between solid and fluid
   SymTensor3<double> reynolds{};  ///< sum rho u' u', u' = u less the mean shear flow
   double stored_momentum = 0;     ///< sum rho u*'_x y, y from the middle of the domain
+  FreeFluid free;
 
   double kinetic() const { return 0.5 * trace(reynolds); }
 };

@@ -114,7 +114,8 @@ double ResolvedFluid::momentum_across(ThreadTeam& team, const std::vector<Resolv
   return fluid_momentum_across(lattice_) + solid_momentum_across(across_, spheres);
 }
 
-FluidEnergy ResolvedFluid::energy(ThreadTeam& team, const std::vector<ResolvedSphere>& spheres) {
+FluidEnergy ResolvedFluid::energy(ThreadTeam& team, const std::vector<ResolvedSphere>& spheres,
+                                  std::vector<FreeFluid>& free) {
   std::vector<FluidEnergy> by_row;
   std::vector<std::size_t> first_row(1, 0);
   for (const auto& block : lattice_.blocks) first_row.push_back(first_row.back() + block.populations.layout().rows());
@@ -132,6 +133,12 @@ FluidEnergy ResolvedFluid::energy(ThreadTeam& team, const std::vector<ResolvedSp
   });
   FluidEnergy sum;
   for (const FluidEnergy& row : by_row) add_row(sum, row);
+  free.assign(std::size_t(lattice_.grid.size[1]), {});
+  for (std::size_t b = 0; b < lattice_.blocks.size(); ++b) {
+    const Cells &origin = lattice_.blocks[b].origin, &size = lattice_.blocks[b].populations.layout().size();
+    for (std::size_t row = first_row[b]; row < first_row[b + 1]; ++row)
+      free[std::size_t(origin[1]) + (row - first_row[b]) % std::size_t(size[1])] += by_row[row].free;
+  }
   return sum;
 }
 

@@ -59,8 +59,8 @@ class ResolvedFluid : private FluidOf<D3Q19, double> {
   const CoveredRuns& covered() const { return covered_; }
 
   /// Between steps: the energy of the fluid with `spheres` where the next step will have them. What `covered` says is
-  /// then of these.
-  FluidEnergy energy(ThreadTeam& team, const std::vector<ResolvedSphere>& spheres);
+  /// then of these. `free`: of every plane of cells across y, from below.
+  FluidEnergy energy(ThreadTeam& team, const std::vector<ResolvedSphere>& spheres, std::vector<FreeFluid>& free);
 
   /// Between steps: momentum along x that fluid and solid, with the velocities of the last sweep, carried up through
   /// the sheared plane in the last step.

@@ -205,16 +205,9 @@ void check_time(const Case& read) {
            "remove it or give 1, or choose time.scheme = \"semi-implicit\"");
 }
 
-/// Keys that belong to one fidelity only.
+/// What the resolved fluid cannot do. What it alone needs may stay in the case of another fidelity.
 void check_fidelity(const Case& read) {
-  if (!read.resolved()) {
-    for (const Given& entry :
-         {Given{"resolution", read.resolution.has_value()}, Given{"flow.reynolds", read.flow.reynolds.has_value()}})
-      if (entry.given)
-        refuse(read.where(entry.key), fmt::format("{} has no effect", entry.key),
-               "only the resolved fluid has a lattice and inertia", "remove it, or write fidelity = \"resolved\"");
-    return;
-  }
+  if (!read.resolved()) return;
   if (read.flow.boundary == BoxKind::walls)
     refuse(read.where("flow.boundary"), "flow.boundary = \"walls\" is not available with fidelity = \"resolved\"",
            "films between particles and walls are not corrected there yet",

@@ -89,6 +89,8 @@ std::string cost_lines(const Case& c, const Plan& p) {
   return text;
 }
 
+constexpr double fewest_diameters_across = 4;
+
 std::string warnings(const Case& c, const Plan& p) {
   std::string text;
   const auto warn = [&](const std::string& message) { text += "  warning: " + message + "\n"; };
@@ -99,6 +101,13 @@ std::string warnings(const Case& c, const Plan& p) {
   if (p.count() < 500) warn("fewer than 500 particles: expect effects of the finite box beside a larger error bar");
   if (c.run.average_from && c.run.strain - *c.run.average_from < 2)
     warn("averages over less than 2 of strain: the error bar rests on few independent samples");
+  const Vec3<double>& length = p.box.length;
+  const double across = 2 * *std::max_element(p.radii.begin(), p.radii.end());
+  if (std::min({length.x, length.y, length.z}) < fewest_diameters_across * across)
+    warn(fmt::format("the box is {:.2g} of the largest diameters across: particles feel their own images below four",
+                     std::min({length.x, length.y, length.z}) / across));
+  if (!p.resolved && (c.resolution || c.flow.reynolds))
+    warn("resolution and flow.reynolds have no effect: fidelity = \"lubricated\" has no lattice and no fluid inertia");
   if (p.physics.lubrication_law == "grand-resistance" && p.box.kind == BoxKind::walls)
     warn("films at the walls have no strain terms");
   if (p.resolved)

@@ -16,6 +16,7 @@
 #include "stresslet/simulation/monitor.hpp"
 #include "stresslet/simulation/plan.hpp"
 #include "stresslet/simulation/progress.hpp"
+#include "stresslet/simulation/resolved/fluid_profile.hpp"
 #include "stresslet/simulation/resolved/fluid_sample.hpp"
 #include "stresslet/simulation/resolved/resolved_flow.hpp"
 #include "stresslet/simulation/run_checkpoint.hpp"
@@ -43,7 +44,8 @@ struct Run {
   ResultsFolder results;
   Series series;
   ShearProfile profile;
-  RunCost cost_before;  ///< of the sessions before this one
+  FluidProfile fluid_profile;  ///< resolved runs only
+  RunCost cost_before;         ///< of the sessions before this one
   Progress progress;
   CommitClock commit_clock;
   Timer wall;
@@ -77,13 +79,14 @@ void take_sample(Run& run) {
   if (s.resolved) fluid = sample_fluid(s, run.team);
   run.results.add_sample(run.series.add(s.strain, m, double(run.plan.count()), s.solver_report.iterations, fluid));
   if (s.box.shear_rate > 0) check_energy_balance(run.series, run.settled.run.monitor_tolerance);
-  if (s.strain >= run.settled.run.average_from.value_or(profile_from_without_average) - strain_round_off)
-    run.profile.add(s.state.y, s.state.ux, s.state.radius);
+  if (s.strain < run.settled.run.average_from.value_or(profile_from_without_average) - strain_round_off) return;
+  run.profile.add(s.state.y, s.state.ux, s.state.radius);
+  if (s.resolved) run.fluid_profile.add(s.resolved->last_planes());
 }
 
 FluidColumns fluid_columns(const Plan& plan) {
   if (!plan.resolved) return FluidColumns::none;
-  return plan.resolved->sheared ? FluidColumns::density_and_plane : FluidColumns::density;
+  return plan.resolved->sheared ? FluidColumns::resolved_and_sheared : FluidColumns::resolved;
 }
 
 void check_explicit_stability(Run& run) {
@@ -96,8 +99,12 @@ void commit(Run& run) {
   Checkpoint checkpoint = make_checkpoint(run.suspension);
   add_run_state(checkpoint, run.profile.sums(), run.cost());
   const Suspension& s = run.suspension;
-  if (s.resolved) add_carried(checkpoint, s.resolved->carried());
-  if (s.resolved) write_populations(run.results.path(), s.steps, s.resolved->populations(run.team));
+  if (s.resolved) {
+    run.fluid_profile.put_into(run.results);
+    run.fluid_profile.add_to(checkpoint);
+    add_carried(checkpoint, s.resolved->carried());
+    write_populations(run.results.path(), s.steps, s.resolved->populations(run.team));
+  }
   run.results.commit(checkpoint);
   if (s.resolved) remove_other_populations(run.results.path(), s.steps);
   run.commit_clock.restart();
@@ -200,6 +207,7 @@ ExitCode run_case(const Case& settled, const RunOptions& options) {
                                output_choice(settled)),
           Series(fluid_columns(plan)),
           ShearProfile(box, std::size_t(settled.output.profile_bins)),
+          plan.resolved ? FluidProfile(*plan.resolved) : FluidProfile(),
           {},
           Progress(options.quiet),
           CommitClock(settled.output.commit_every),
@@ -239,6 +247,7 @@ ExitCode restart_run(const std::vector<std::string>& overrides, const RunOptions
                                 output_choice(settled)),
           restored_series(reader, fluid_columns(plan)),
           std::move(profile),
+          plan.resolved ? FluidProfile(*plan.resolved) : FluidProfile(),
           run_cost(checkpoint),
           Progress(options.quiet),
           CommitClock(settled.output.commit_every),
@@ -248,6 +257,7 @@ ExitCode restart_run(const std::vector<std::string>& overrides, const RunOptions
   if (Suspension& s = run.suspension; s.resolved) {
     s.resolved->restore(run.team, read_populations(options.output, s.steps), s.steps, s.box.offset);
     s.resolved->set_carried(carried_across(checkpoint));
+    run.fluid_profile.restore(checkpoint);
   }
   return commit_and_finish(run);
 }

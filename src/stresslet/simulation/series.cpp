@@ -54,7 +54,10 @@ void for_each_quantity(double strain, const Sample& m, double energy_rate, doubl
   if (columns == FluidColumns::none) return;
   visit("lowest_density", "1", "lowest density of a cell over that at rest", fluid.lowest_density);
   visit("highest_density", "1", "highest density of a cell over that at rest", fluid.highest_density);
-  if (columns != FluidColumns::density_and_plane) return;
+  visit("kinetic_stresslet_xy", stress_unit,
+        "part of stresslet_xy; less this it is the usual first moment of the force on the fluid",
+        fluid.kinetic_stresslet);
+  if (columns != FluidColumns::resolved_and_sheared) return;
   visit(
       "stored_momentum", "viscosity",
       "first moment across the box of the momentum relative to the mean flow, per volume; its growth is what the flux "

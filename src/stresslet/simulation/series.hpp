@@ -13,9 +13,10 @@ namespace stresslet {
 struct FluidSample {
   double viscosity_through_plane = 0, stored_momentum = 0;  ///< sheared box only
   double lowest_density = 1, highest_density = 1;
+  double kinetic_stresslet = 0;  ///< xy, the part of the stresslet that is no first moment of the force
 };
 /// Which of these the series has.
-enum class FluidColumns { none, density, density_and_plane };
+enum class FluidColumns { none, resolved, resolved_and_sheared };
 
 /// Columns in the order of `Series::add`.
 std::vector<Column> series_columns(FluidColumns fluid);

@@ -29,7 +29,7 @@ double stress_through_plane(const Suspension& s, ThreadTeam& team) {
 
 FluidSample sample_fluid(Suspension& s, ThreadTeam& team) {
   const FluidEnergy& look = s.resolved->last_look();
-  FluidSample found{0, 0, look.lowest_density, look.highest_density};
+  FluidSample found{0, 0, look.lowest_density, look.highest_density, s.resolved->kinetic_stresslet(s.box).xy};
   if (s.resolved->setup().sheared) {
     found.viscosity_through_plane = stress_through_plane(s, team);
     found.stored_momentum = s.resolved->stored_momentum(s.state, s.box);

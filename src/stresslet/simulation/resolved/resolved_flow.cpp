@@ -95,7 +95,7 @@ Stress ResolvedFlow::stresslet(const ParticleState& state, const Box& box, const
   Stress sum{};
   for (std::size_t i = 0; i < spheres_.size(); ++i)
     sum += load_on_sphere(fluid_.exchange(i), spheres_[i].velocity, spheres_[i].angular_velocity).complete_stresslet();
-  sum = (mass_unit_ * setup_.cell * setup_.cell / (step_ * step_)) * sum;
+  sum = energy_unit() * sum;
   const auto twist = [&](std::int32_t i) {
     return Twist<double>{state.velocity(std::size_t(i)), state.angular_velocity(std::size_t(i))};
   };
@@ -104,11 +104,18 @@ Stress ResolvedFlow::stresslet(const ParticleState& state, const Box& box, const
   return (1 / box.volume()) * sum;
 }
 
+Stress ResolvedFlow::kinetic_stresslet(const Box& box) const {
+  Stress sum{};
+  for (std::size_t i = 0; i < spheres_.size(); ++i)
+    sum += load_on_sphere(fluid_.exchange(i), spheres_[i].velocity, spheres_[i].angular_velocity).kinetic;
+  return (energy_unit() / box.volume()) * sum;
+}
+
 double ResolvedFlow::dissipation(ThreadTeam& team, const ParticleState& state, const Box& box,
                                  const FluidCoupling& coupling) {
   std::vector<ResolvedSphere> next = spheres_;
   for (std::size_t i = 0; i < next.size(); ++i) next[i].centre += next[i].velocity;
-  look_ = fluid_.energy(team, next);
+  look_ = fluid_.energy(team, next, planes_);
   double rubbed = 0;
   for (const PointFriction& f : coupling.friction()) {
     const std::size_t i = std::size_t(f.first), j = std::size_t(f.second);
@@ -116,13 +123,12 @@ double ResolvedFlow::dissipation(ThreadTeam& team, const ParticleState& state, c
         f.force({state.velocity(i), state.angular_velocity(i)}, {state.velocity(j), state.angular_velocity(j)}, true);
     rubbed += dot(force, force) / f.coefficient;
   }
-  const double energy_unit = mass_unit_ * setup_.cell * setup_.cell / (step_ * step_);
-  return (energy_unit / step_ * (look_.collisions + look_.slip) + rubbed) / box.volume();
+  return (energy_unit() / step_ * (look_.collisions + look_.slip) + rubbed) / box.volume();
 }
 
 void ResolvedFlow::add_to(Sample& sample) const {
   const double volume = setup_.cell_count() * setup_.cell * setup_.cell * setup_.cell;
-  const double per_volume = mass_unit_ * setup_.cell * setup_.cell / (step_ * step_ * volume);
+  const double per_volume = energy_unit() / volume;
   sample.stress.reynolds -= per_volume * look_.reynolds;
   sample.kinetic_energy += per_volume * look_.kinetic();
 }

@@ -61,6 +61,8 @@ class ResolvedFlow {
   /// After `sweep`, per volume, in units of viscosity x shear rate: first moments of the forces that the particles
   /// exert on the fluid and on each other through shared cells, kinetic part included.
   Stress stresslet(const ParticleState& state, const Box& box, const FluidCoupling& coupling) const;
+  /// The kinetic part of these alone.
+  Stress kinetic_stresslet(const Box& box) const;
 
   /// Dissipation by the collisions of all cells, by the slip between solid and fluid, and by the friction in shared
   /// cells (coupling/fluid_energy.hpp); per volume, in units of viscosity x shear rate^2. Reads the whole lattice, once
@@ -68,6 +70,7 @@ class ResolvedFlow {
   double dissipation(ThreadTeam& team, const ParticleState& state, const Box& box, const FluidCoupling& coupling);
   /// What `dissipation` saw of the fluid besides, in lattice units.
   const FluidEnergy& last_look() const { return look_; }
+  const std::vector<FreeFluid>& last_planes() const { return planes_; }
   /// Of the last look, per volume: first moment along y of the momentum of fluid and particles along x, less the mean
   /// flow. Its growth is what the stress through the sheared plane exceeds the mean stress by.
   double stored_momentum(const ParticleState& state, const Box& box) const;
@@ -88,11 +91,14 @@ class ResolvedFlow {
   const ResolvedSetup& setup() const { return setup_; }
 
  private:
+  double energy_unit() const { return mass_unit_ * setup_.cell * setup_.cell / (step_ * step_); }
+
   ResolvedSetup setup_;
   double step_, mass_unit_;  ///< of the program, per unit of the lattice
   ResolvedFluid fluid_;
   std::vector<ResolvedSphere> spheres_;
   FluidEnergy look_;
+  std::vector<FreeFluid> planes_;
   CarriedAcross carried_;
 };
 

@@ -8,6 +8,7 @@
 #include "stresslet/base/error.hpp"
 #include "stresslet/coupling/subgrid/calibrated_lengths.hpp"
 #include "stresslet/exec/huge_array.hpp"
+#include "stresslet/lubrication/normal_only.hpp"
 #include "stresslet/simulation/case_refusals.hpp"
 #include "stresslet/simulation/progress.hpp"
 #include "stresslet/simulation/report_lines.hpp"
@@ -33,7 +34,7 @@ std::optional<SubgridCorrection> correction_of(const Case& c) {
       throw InputError({c.where("resolution.correction"), error.what(), "", ""});
     }
   }
-  if (films == "normal-only") correction.lengths.sliding = correction.lengths.spin = 0;
+  if (films == NormalOnly::name) correction.lengths.sliding = correction.lengths.spin = 0;
   return correction;
 }
 

@@ -72,6 +72,19 @@ TEST_F(ResolvedRun, GoesOnAfterARestartAsIfUnbroken) {
   EXPECT_TRUE(populations_in(broken) == populations_in(whole));
 }
 
+TEST_F(ResolvedRun, GoesOnBetweenWallsAsIfUnbroken) {
+  const std::vector<std::string> walls{"flow.boundary=walls", "suspension.solid_fraction=0.35"};
+  std::vector<std::string> shorter = walls, threads = walls;
+  shorter.emplace_back("run.strain=0.026");
+  threads.emplace_back("run.threads=2");
+  const std::string whole = finished("whole", walls), broken = finished("broken", shorter);
+  const Outcome again = stresslet(restart_arguments(broken, {"run.strain=0.045"}));
+  ASSERT_EQ(again.code, 0) << again.err;
+  expect_same_results(broken, whole);
+  expect_same_results(finished("threads", threads), whole);
+  EXPECT_TRUE(populations_in(broken) == populations_in(whole));
+}
+
 TEST_F(ResolvedRun, SaysHowWellTheStressCloses) {
   const auto summary = timeless_summary(finished("results", {"run.average_from=0.03", "run.strain=0.1"}));
   EXPECT_LT(std::abs(summary["stress_closure"]["mean"].get<double>()), 0.01);

@@ -1,6 +1,12 @@
 /// One sphere above a plane wall, its centre at h: motion normal to the wall (exact series, Brenner, Chem. Eng. Sci. 16
 /// (1961) 242; Maude 1961), along it, rotation, and held or free in the shear u = gdot y (O'Neill 1964; Goldman, Cox &
-/// Brenner, Chem. Eng. Sci. 22 (1967) 637 and 653; recomputed). Without correction of lubrication.
+/// Brenner, Chem. Eng. Sci. 22 (1967) 637 and 653; recomputed), without correction of lubrication. Then motion normal
+/// to the wall and along it at gaps below a cell, with the correction that was calibrated between spheres.
+#include <cmath>
+
+#include "stresslet/base/constants.hpp"
+#include "stresslet/coupling/laws.hpp"
+#include "stresslet/coupling/subgrid/calibrated_lengths.hpp"
 #include "validation/harness/unbounded.hpp"
 
 namespace stresslet::validation {
@@ -24,6 +30,40 @@ UnboundedResult above_wall(Trial& trial, double radius, double h, double shear_r
   Unbounded setup{.scheme = default_scheme(2), .radius = radius, .shear_rate = shear_rate, .wall = -h};
   setup.spheres = {sphere};
   return run_unbounded(trial, setup, fmt::format("sphere and wall, h = {}", h))[0];
+}
+
+/// Brenner (1961): F/(6 pi eta a U) of a sphere that moves towards the wall, its centre at a cosh(alpha).
+double exact_approach(double gap_over_radius) {
+  const double alpha = std::acosh(1 + gap_over_radius);
+  double sum = 0;
+  for (int n = 1; n < 2000; ++n) {
+    const double k = 2 * n + 1, half = std::sinh(0.5 * k * alpha);
+    if (k * alpha > 600) break;
+    const double term = (2 * std::sinh(k * alpha) + k * std::sinh(2 * alpha)) /
+                            (4 * half * half - k * k * std::sinh(alpha) * std::sinh(alpha)) -
+                        1;
+    sum += n * (n + 1.0) / ((2 * n - 1.0) * (2 * n + 3.0)) * term;
+  }
+  return 4.0 / 3 * std::sinh(alpha) * sum;
+}
+
+/// Goldman, Cox & Brenner (1967): the same along the wall, for gaps small against the radius.
+double exact_sliding(double gap_over_radius) { return -8.0 / 15 * std::log(gap_over_radius) + 0.9588; }
+
+void rows_with_correction(Trial& trial) {
+  const double radius = 5;
+  const SubgridCorrection correction = calibrated_correction("superposition", "viscosity-scaled", "TRT", 2);
+  for (const double gap : {1.0, 0.5, 0.2}) {
+    const PairResistance<double> film =
+        subgrid_wall_resistance<SoftCutOff>(radius, gap, correction.lengths, correction.range);
+    const double h = 1 + gap / radius, unit = 6 * pi * radius;
+    const std::string name = fmt::format("gap of {} cells, corrected: ", gap);
+    trial.row(name + "normal", above_wall(trial, radius, h, 0, {.velocity = {0, -1, 0}}).force.y + film.X / unit,
+              {exact_approach(gap / radius), "Brenner 1961"}, relative(0.05));
+    if (gap < 0.5)
+      trial.row(name + "along", -above_wall(trial, radius, h, 0, {.velocity = {1, 0, 0}}).force.x + film.Y / unit,
+                {exact_sliding(gap / radius), "Goldman, Cox & Brenner 1967"}, relative(0.05));
+  }
 }
 
 }  // namespace
@@ -52,6 +92,7 @@ void sphere_wall(Trial& trial) {
               relative(bound));
     trial.row(name + "free in shear, S/S0", 2 * free.stresslet.xy, {exact.free_stresslet, source}, relative(bound));
   }
+  if (!trial.quick()) rows_with_correction(trial);
 }
 
 }  // namespace stresslet::validation

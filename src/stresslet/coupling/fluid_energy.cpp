@@ -53,14 +53,14 @@ double weighted_square(const CellPopulations<Stencil, double>& f, const Equilibr
 
 template <class Stencil, class Collision, class Operator>
 FluidEnergy row_energy(const Lattice<Stencil, double>& lattice, int block, std::size_t row, const CoveredRuns& covered,
-                       const std::vector<ResolvedSphere>& spheres) {
+                       const std::vector<ResolvedSphere>& spheres, double shear_rate) {
   const auto& of_block = lattice.blocks[std::size_t(block)];
   const BlockLayout& layout = of_block.populations.layout();
   const int nx = layout.size()[0], ny = layout.size()[1], y = int(row) % ny, z = int(row) / ny;
   const std::vector<CellSolids> solids = solids_of_row(nx, block, row, covered, spheres);
   const double middle = 0.5 * (lattice.grid.size[1] - 1);
   const double height = of_block.origin[1] + y - middle;
-  const double mean_flow = lattice.shear_velocity / lattice.grid.size[1] * height;
+  const double mean_flow = shear_rate * height;
   typename Collision::template Cell<Stencil, double> collision(lattice.input.rates);
   FluidEnergy sum;
   for (int x = 0; x < nx; ++x) {

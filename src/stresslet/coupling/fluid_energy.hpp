@@ -43,10 +43,11 @@ struct FluidEnergy : DensityRange {
   double kinetic() const { return 0.5 * trace(reynolds); }
 };
 
-/// Of one row of cells, before it collides. `covered` holds the drags of the row's runs.
+/// Of one row of cells, before it collides. `covered` holds the drags of the row's runs; `shear_rate` of the mean flow.
 template <class Stencil>
 using RowEnergy = FluidEnergy (*)(const Lattice<Stencil, double>& lattice, int block, std::size_t row,
-                                  const CoveredRuns& covered, const std::vector<ResolvedSphere>& spheres);
+                                  const CoveredRuns& covered, const std::vector<ResolvedSphere>& spheres,
+                                  double shear_rate);
 
 template <class Stencil>
 RowEnergy<Stencil> row_energy_for(std::string_view collision, std::string_view coupling_operator);

@@ -14,10 +14,18 @@ FluidSetup with_force(FluidSetup setup) {
   return setup;
 }
 
+double velocity_difference(const FluidSetup& setup) {
+  if (setup.grid.closure[1] == Closure::sheared) return setup.shear_velocity_lu;
+  if (setup.grid.closure[1] != Closure::open) return 0;
+  const auto& [low, high] = setup.faces[1];
+  return high.velocity_lu.x - low.velocity_lu.x;
+}
+
 }  // namespace
 
 ResolvedFluid::ResolvedFluid(const FluidSetup& setup, const CouplingSetup& coupling)
     : FluidOf(with_force(setup)),
+      velocity_difference_(velocity_difference(setup)),
       resolved_sweep_(resolved_sweep_for<Stencil>(setup.collision, coupling.coupling_operator, false)),
       forced_sweep_(resolved_sweep_for<Stencil>(setup.collision, coupling.coupling_operator, true)),
       row_energy_(row_energy_for<Stencil>(setup.collision, coupling.coupling_operator)),
@@ -111,6 +119,7 @@ void ResolvedFluid::sweep(Member& member, const std::vector<ResolvedSphere>& sph
 
 double ResolvedFluid::momentum_across(ThreadTeam& team, const std::vector<ResolvedSphere>& spheres) {
   FluidOf::prepare(team);
+  if (lattice_.grid.closure[1] == Closure::open) return wall_momentum_upwards(lattice_, velocity_difference_);
   return fluid_momentum_across(lattice_) + solid_momentum_across(across_, spheres);
 }
 
@@ -120,6 +129,7 @@ FluidEnergy ResolvedFluid::energy(ThreadTeam& team, const std::vector<ResolvedSp
   std::vector<std::size_t> first_row(1, 0);
   for (const auto& block : lattice_.blocks) first_row.push_back(first_row.back() + block.populations.layout().rows());
   by_row.resize(first_row.back());
+  const double shear_rate = velocity_difference_ / lattice_.grid.size[1];
   team.run([&](Member& member) {
     prepare_step(lattice_, boundaries_, member);
     covered_.place(member, spheres, lattice_.shear_offset, lattice_.shear_velocity);
@@ -127,7 +137,7 @@ FluidEnergy ResolvedFluid::energy(ThreadTeam& team, const std::vector<ResolvedSp
       const Range rows = member.share(lattice_.blocks[b].populations.layout().rows());
       for (std::size_t row = rows.begin; row < rows.end; ++row) {
         covered_.fill_drags(covered_.runs_of_row(int(b), row));
-        by_row[first_row[b] + row] = row_energy_(lattice_, int(b), row, covered_, spheres);
+        by_row[first_row[b] + row] = row_energy_(lattice_, int(b), row, covered_, spheres, shear_rate);
       }
     }
   });

@@ -63,13 +63,14 @@ class ResolvedFluid : private FluidOf<D3Q19, double> {
   FluidEnergy energy(ThreadTeam& team, const std::vector<ResolvedSphere>& spheres, std::vector<FreeFluid>& free);
 
   /// Between steps: momentum along x that fluid and solid, with the velocities of the last sweep, carried up through
-  /// the sheared plane in the last step.
+  /// the sheared plane in the last step; between walls, what these passed on.
   double momentum_across(ThreadTeam& team, const std::vector<ResolvedSphere>& spheres);
 
  private:
   void find_friction();
   void find_across();
 
+  double velocity_difference_;  ///< across y: of the image above, or of the walls
   ResolvedSweep<Stencil> resolved_sweep_, forced_sweep_;
   RowEnergy<Stencil> row_energy_;
   CoveredRuns covered_;

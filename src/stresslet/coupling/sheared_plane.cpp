@@ -45,6 +45,14 @@ double fluid_momentum_across(const Lattice<Stencil, double>& lattice) {
   return up.momentum - down.momentum + 0.5 * lattice.shear_velocity * (up.mass + down.mass);
 }
 
+/// A wall that turns f'_j into f_i = f'_j + 6 w_i c_i.u gives  c_i f_i - c_j f'_j = c_i (2 f_i - 6 w_i c_i.u),  and the
+/// weights of the five populations that it turns add up to  sum w_i c_ix^2 = 1/18.
+template <class Stencil>
+double wall_momentum_upwards(const Lattice<Stencil, double>& lattice, double velocity_difference) {
+  const double cells = double(lattice.grid.size[0]) * lattice.grid.size[2];
+  return arrived(lattice, 1).momentum - arrived(lattice, -1).momentum + velocity_difference * cells / 6;
+}
+
 double solid_momentum_across(const std::vector<ExchangeAcross>& across, const std::vector<ResolvedSphere>& spheres) {
   double sum = 0;
   for (const ExchangeAcross& part : across) {
@@ -55,5 +63,6 @@ double solid_momentum_across(const std::vector<ExchangeAcross>& across, const st
 }
 
 template double fluid_momentum_across<D3Q19>(const Lattice<D3Q19, double>&);
+template double wall_momentum_upwards<D3Q19>(const Lattice<D3Q19, double>&, double);
 
 }  // namespace stresslet

@@ -4,6 +4,7 @@
 ///
 /// Fluid: populations that came up in the last step less those that came down; their momentum is known behind the
 /// plane, where the transformation of lattice/boundary/sheared.hpp has changed it by exactly -+U times their mass.
+/// Between half-way walls (lattice/boundary/walls.hpp) the populations that arrived from them say what they gave.
 /// Solid: a sphere with cells on the other side gives the fluid there the opposite of the force on these cells.
 #include "stresslet/coupling/exchange_sums.hpp"
 #include "stresslet/coupling/sphere_images.hpp"
@@ -21,6 +22,11 @@ struct ExchangeAcross {
 /// Of the populations, after prepare_step.
 template <class Stencil>
 double fluid_momentum_across(const Lattice<Stencil, double>& lattice);
+
+/// Momentum along x that the walls across y gave the fluid in the last step, of the lower less that of the upper, half:
+/// what passes upwards. `velocity_difference` of the upper wall and the lower.
+template <class Stencil>
+double wall_momentum_upwards(const Lattice<Stencil, double>& lattice, double velocity_difference);
 
 /// Of the solid, with the spheres' velocities of the sweep.
 double solid_momentum_across(const std::vector<ExchangeAcross>& across, const std::vector<ResolvedSphere>& spheres);

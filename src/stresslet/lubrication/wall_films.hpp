@@ -37,6 +37,23 @@ class WallFilms {
   void update(Member& member, const std::string& law, const LubricationCutoffs& cutoffs, const ParticleState& state,
               const Box& box);
 
+  /// The same with a law of resistance(a, gap), for gaps below `reach(a)`.
+  template <class Reach, class Law>
+  void update_with(Member& member, const ParticleState& state, const Box& box, Reach&& reach, Law&& law) {
+    if (present_) {
+      const Range range = member.share(state.size());
+      for (std::size_t i = range.begin; i < range.end; ++i) {
+        const double a = state.radius[i];
+        const bool upper = state.y[i] > 0.5 * box.length.y;
+        const double gap = (upper ? box.length.y - state.y[i] : state.y[i]) - a;
+        films_[i] = {};
+        if (gap > reach(a)) continue;
+        films_[i] = {upper ? 1.0 : -1.0, gap, box.mean_flow(upper ? box.length.y : 0.0), law(a, gap)};
+      }
+    }
+    member.barrier();
+  }
+
   const WallFilm& operator[](std::size_t particle) const { return films_[particle]; }
 
   /// Adds the wall's wrench on a sphere moving with `t`; without `background` the wall is taken at rest.

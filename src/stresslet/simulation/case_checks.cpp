@@ -208,10 +208,6 @@ void check_time(const Case& read) {
 /// What the resolved fluid cannot do. What it alone needs may stay in the case of another fidelity.
 void check_fidelity(const Case& read) {
   if (!read.resolved()) return;
-  if (read.flow.boundary == BoxKind::walls)
-    refuse(read.where("flow.boundary"), "flow.boundary = \"walls\" is not available with fidelity = \"resolved\"",
-           "films between particles and walls are not corrected there yet",
-           "use the sheared periodic box, \"lees-edwards\", or fidelity = \"lubricated\"");
   if (read.time.scheme != "semi-implicit")
     refuse(read.where("time.scheme"), fmt::format("the scheme {} does not go with a resolved fluid", read.time.scheme),
            "particles must move semi-implicitly with the fluid that they hold", "leave time.scheme out");

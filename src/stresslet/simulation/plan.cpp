@@ -82,7 +82,7 @@ double settled_step(const Case& c, const StepBounds& bounds) {
 }
 
 void check_walls(const Case& c, const Plan& plan) {
-  if (plan.box.kind != BoxKind::walls || plan.physics.cutoffs.outer < 0.5) return;
+  if (plan.resolved || plan.box.kind != BoxKind::walls || plan.physics.cutoffs.outer < 0.5) return;
   throw InputError({c.where("lubrication.outer_cutoff"), "lubrication.outer_cutoff must be below 0.5 with walls",
                     "the film between a sphere and a wall is described for gaps below the radius, d_eff being the "
                     "diameter there",

@@ -86,7 +86,7 @@ void take_sample(Run& run) {
 
 FluidColumns fluid_columns(const Plan& plan) {
   if (!plan.resolved) return FluidColumns::none;
-  return plan.resolved->sheared ? FluidColumns::resolved_and_sheared : FluidColumns::resolved;
+  return plan.resolved->is_sheared() ? FluidColumns::resolved_and_sheared : FluidColumns::resolved;
 }
 
 void check_explicit_stability(Run& run) {

@@ -64,7 +64,9 @@ void for_each_quantity(double strain, const Sample& m, double energy_rate, doubl
       "through the plane exceeds the stress by",
       fluid.stored_momentum);
   visit("relative_viscosity_through_plane", "1",
-        "flux of momentum through the sheared plane over viscosity*shear_rate; independent of the summed stress",
+        "flux of momentum through the sheared plane, or what walls feel, over viscosity*shear_rate; independent of the "
+        "summed "
+        "stress",
         fluid.viscosity_through_plane);
 }
 

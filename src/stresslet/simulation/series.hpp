@@ -11,7 +11,7 @@ namespace stresslet {
 
 /// What a sample of a resolved fluid adds to the row.
 struct FluidSample {
-  double viscosity_through_plane = 0, stored_momentum = 0;  ///< sheared box only
+  double viscosity_through_plane = 0, stored_momentum = 0;  ///< sheared box or walls
   double lowest_density = 1, highest_density = 1;
   double kinetic_stresslet = 0;  ///< xy, the part of the stresslet that is no first moment of the force
 };

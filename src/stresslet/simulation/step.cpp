@@ -66,8 +66,8 @@ void interact(Suspension& s, ThreadTeam& team, double contact_step, double veloc
       if (part.first) s.resolved->prepare(member, s.state, s.box, s.fluid_coupling);
     } else {
       s.lubrication.update(member, s.physics.lubrication_law, s.physics.cutoffs, s.pairs, s.box);
+      s.walls.update(member, s.physics.lubrication_law, s.physics.cutoffs, s.state, s.box);
     }
-    s.walls.update(member, s.physics.lubrication_law, s.physics.cutoffs, s.state, s.box);
     Scheme::advance_velocities(member, s, velocity_step);
     if (!s.resolved) return;
     s.resolved->follow(member, s.state, part.first, part.share);

@@ -16,12 +16,27 @@ double pair_force(const Suspension& s, std::size_t p) {
   return s.pairs.gap[p] < 0 ? film + s.contacts[p].force.x : film;
 }
 
+/// x of the forces of the walls on the spheres, of the upper less that of the lower one.
+double wall_forces(const Suspension& s) {
+  double sum = 0;
+  for (std::size_t i = 0; i < s.state.size(); ++i) {
+    const WallFilm& film = s.walls[i];
+    Twist<double> wrench;
+    s.walls.add_to<true>(i, s.velocity.get(i), wrench);
+    sum += film.normal_y * wrench.linear.x;
+    const auto& contact = s.wall_contacts[i];
+    if (contact.normal_y != 0) sum += contact.normal_y * contact.result.force.x;
+  }
+  return sum;
+}
+
 }  // namespace
 
 double stress_through_plane(const Suspension& s, ThreadTeam& team) {
   double force = s.resolved->force_across_plane(team, s.box, s.fluid_coupling, s.state);
   for (std::size_t p = 0; p < s.pairs.size(); ++p)
     if (s.pairs.images_up[p] != 0) force -= s.pairs.images_up[p] * pair_force(s, p);  // -1: j above i
+  if (s.walls.present()) force += 0.5 * wall_forces(s);
   const CarriedAcross& carried = s.resolved->carried();
   if (carried.steps > 0) force -= carried.momentum / (double(carried.steps) * s.time.step);
   return force / (s.box.length.x * s.box.length.z);
@@ -30,7 +45,7 @@ double stress_through_plane(const Suspension& s, ThreadTeam& team) {
 FluidSample sample_fluid(Suspension& s, ThreadTeam& team) {
   const FluidEnergy& look = s.resolved->last_look();
   FluidSample found{0, 0, look.lowest_density, look.highest_density, s.resolved->kinetic_stresslet(s.box).xy};
-  if (s.resolved->setup().sheared) {
+  if (s.resolved->setup().is_sheared()) {
     found.viscosity_through_plane = stress_through_plane(s, team);
     found.stored_momentum = s.resolved->stored_momentum(s.state, s.box);
   }

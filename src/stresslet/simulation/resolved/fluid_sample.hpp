@@ -9,8 +9,9 @@ namespace stresslet {
 
 /// The shear stress, background included, as the flux of momentum through the sheared plane y = 0, of everything that
 /// crosses it: fluid, the solid of spheres that reach across, forces between pairs with one sphere on either side, and
-/// spheres themselves since the last reset of ResolvedFlow::carried. Equals the summed stress plus the growth of
-/// ResolvedFlow::stored_momentum. After a step; in units of viscosity x shear rate.
+/// spheres themselves since the last reset of ResolvedFlow::carried. Between walls, the mean of what they feel of fluid
+/// and spheres. Equals the summed stress plus the growth of ResolvedFlow::stored_momentum. After a step; in units of
+/// viscosity x shear rate.
 double stress_through_plane(const Suspension& s, ThreadTeam& team);
 
 /// After `sample`, of the fluid as that saw it. Begins to count anew what spheres carry across.

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "stresslet/lattice/boundary/walls.hpp"
+
 namespace stresslet {
 
 namespace {
@@ -9,18 +11,23 @@ namespace {
 FluidSetup fluid_setup(const ResolvedSetup& s) {
   FluidSetup setup;
   setup.grid.size = s.cells;
-  if (s.sheared) setup.grid.closure[1] = Closure::sheared;
   setup.collision = s.collision;
   setup.rates = s.rates;
-  if (s.sheared) setup.shear_velocity_lu = s.cells[1] * s.step();
+  const double jump = s.velocity_difference_lu();
+  if (s.box == BoxKind::lees_edwards) {
+    setup.grid.closure[1] = Closure::sheared;
+    setup.shear_velocity_lu = jump;
+  } else if (s.box == BoxKind::walls) {
+    setup.grid.closure[1] = Closure::open;
+    const std::string law(HalfWay::name);
+    setup.faces[1] = {FaceSetup{law, {-0.5 * jump, 0, 0}}, FaceSetup{law, {0.5 * jump, 0, 0}}};
+  }
   return setup;
 }
 
 }  // namespace
 
-double ResolvedSetup::mach() const {
-  return sheared ? 0.5 * cells[1] * step() / std::sqrt(speed_of_sound_squared) : 0.0;
-}
+double ResolvedSetup::mach() const { return 0.5 * velocity_difference_lu() / std::sqrt(speed_of_sound_squared); }
 
 ResolvedFlow::ResolvedFlow(const ResolvedSetup& setup)
     : setup_(setup),
@@ -29,7 +36,7 @@ ResolvedFlow::ResolvedFlow(const ResolvedSetup& setup)
       fluid_(fluid_setup(setup), setup.coupling) {}
 
 void ResolvedFlow::fill(ThreadTeam& team) {
-  const double gradient = setup_.sheared ? step_ : 0.0, middle = 0.5 * (setup_.cells[1] - 1);
+  const double gradient = setup_.is_sheared() ? step_ : 0.0, middle = 0.5 * (setup_.cells[1] - 1);
   fluid_.initialise(team, [&](const Cells& c) {
     CellState s;
     s.velocity.x = gradient * (c[1] - middle);
@@ -44,7 +51,7 @@ void ResolvedFlow::prepare(Member& member, const ParticleState& state, const Box
     spheres_.resize(n);
     coupling.resistance.resize(n);
     coupling.push.resize(n);
-    if (setup_.sheared) fluid_.lattice().shear_offset = box.offset / setup_.cell;
+    if (setup_.box == BoxKind::lees_edwards) fluid_.lattice().shear_offset = box.offset / setup_.cell;
   }
   member.barrier();
   const Range mine = member.share(n);
@@ -159,7 +166,7 @@ double ResolvedFlow::stored_momentum(const ParticleState& state, const Box& box)
 void ResolvedFlow::restore(ThreadTeam& team, const std::vector<double>& populations, std::int64_t steps,
                            double offset) {
   fluid_.restore(team, populations, steps);
-  if (setup_.sheared) fluid_.set_shear_offset(offset / setup_.cell);
+  if (setup_.box == BoxKind::lees_edwards) fluid_.set_shear_offset(offset / setup_.cell);
 }
 
 }  // namespace stresslet

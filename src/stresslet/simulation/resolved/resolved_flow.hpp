@@ -25,11 +25,14 @@ struct ResolvedSetup {
   std::string collision = "TRT";
   CouplingSetup coupling;
   std::optional<SubgridCorrection> correction;  ///< lengths in cells
-  bool sheared = true;
+  BoxKind box = BoxKind::lees_edwards;
 
+  bool is_sheared() const { return box != BoxKind::periodic; }
   double cell_count() const { return double(cells[0]) * cells[1] * cells[2]; }
   double step() const { return kinematic_viscosity_lu(rates.relaxation_time) * cell * cell * reynolds; }
-  /// Of the fastest fluid in a sheared box, at the faces across y.
+  /// Velocity between the faces across y: of the image above, or of the walls.
+  double velocity_difference_lu() const { return is_sheared() ? cells[1] * step() : 0.0; }
+  /// Of the fastest fluid of the mean flow, at the faces across y.
   double mach() const;
 };
 
@@ -78,7 +81,7 @@ class ResolvedFlow {
   void add_to(Sample& sample) const;
 
   /// Force along x of the fluid, the solid and the friction above the sheared plane on those below, in the last
-  /// step.
+  /// step; between walls the mean of what they do to the fluid, upwards.
   double force_across_plane(ThreadTeam& team, const Box& box, const FluidCoupling& coupling,
                             const ParticleState& state);
   const CarriedAcross& carried() const { return carried_; }

@@ -80,7 +80,7 @@ ResolvedSetup resolved_setup(const Case& c, const Box& box, double smallest_radi
   s.coupling.coupling_operator = *r.coupling;
   s.coupling.solid.fraction = *r.solid_fraction;
   s.coupling.solid.weight = *r.solid_weight;
-  s.sheared = box.kind == BoxKind::lees_edwards;
+  s.box = box.kind;
   s.correction = correction_of(c);
 
   if (2 * smallest_radius / s.cell < fewest_cells_across)

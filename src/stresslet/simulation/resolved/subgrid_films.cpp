@@ -7,17 +7,24 @@ namespace stresslet {
 
 void update_subgrid_films(Member& member, Suspension& s) {
   const std::optional<SubgridCorrection>& correction = s.resolved->setup().correction;
-  if (!correction)
-    return s.lubrication.update_with(member, s.pairs, s.box,
-                                     [](double, double, double) { return PairResistance<double>{}; });
+  if (!correction) {
+    const auto none = [](double, double, double) { return PairResistance<double>{}; };
+    s.lubrication.update_with(member, s.pairs, s.box, none);
+    return s.walls.update_with(
+        member, s.state, s.box, [](double) { return 0.0; }, [&](double a, double gap) { return none(a, a, gap); });
+  }
   const double cell = s.resolved->setup().cell;
   const SubgridLengths& l = correction->lengths;
   const SubgridLengths lengths{cell * l.normal, cell * l.sliding, cell * l.spin};
   const SubgridRange range{s.physics.cutoffs.inner, cell * correction->range.outer};
   SubgridLaws::dispatch(correction->law, [&](auto law) {
+    using Law = typename decltype(law)::type;
     s.lubrication.update_with(member, s.pairs, s.box, [&](double a1, double a2, double gap) {
-      return subgrid_resistance<typename decltype(law)::type>(a1, a2, gap, lengths, range);
+      return subgrid_resistance<Law>(a1, a2, gap, lengths, range);
     });
+    s.walls.update_with(
+        member, s.state, s.box, [&](double) { return range.outer; },
+        [&](double a, double gap) { return subgrid_wall_resistance<Law>(a, gap, lengths, range); });
   });
 }
 

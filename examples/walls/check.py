@@ -10,6 +10,6 @@ run = ResultsCheck(__doc__)
 run.any_run(largest_overlap=0.02)
 if run.full:
     run.between("slope of the velocity profile", 0.95, run.summary["velocity_slope"], 1.05)
-    run.viscosity_between(6.2, 7.6)
+    run.viscosity_between(6.4, 7.9)
     run.between("contact", 1.5, run.parts["contact"], 2.5)
 run.finish()

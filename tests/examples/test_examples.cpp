@@ -28,7 +28,7 @@ class Example : public ::testing::TestWithParam<std::string> {
   std::vector<std::string> shortened() const {
     const std::string text = content_of(file("case.toml"));
     if (text.find("fidelity = \"resolved\"") != std::string::npos)
-      return {"run.strain=0.1", "run.average_from=0.03", "run.threads=1"};
+      return {"run.strain=0.05", "run.average_from=0.02", "run.threads=1"};
     if (text.find("fidelity = \"fluid\"") == std::string::npos)
       return {"suspension.count=150", "run.strain=0.05", "run.average_from=0.01", "run.threads=1"};
     const std::string key = "end_time = ";

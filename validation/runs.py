@@ -2,6 +2,7 @@
 import json
 import pathlib
 import subprocess
+import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
@@ -18,7 +19,8 @@ def run(binary, case, output, settings):
         command = [binary, "run", ROOT / case, "--output", output, "--force", "--quiet"]
         for key, value in settings.items():
             command += ["--set", f"{key}={json.dumps(value)}"]
-    subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
+    if code := subprocess.run(command, stdout=subprocess.DEVNULL).returncode:
+        sys.exit(f"{output}: the run ended with exit code {code}")
     return json.loads(summary.read_text())
 
 

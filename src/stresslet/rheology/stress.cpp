@@ -76,9 +76,8 @@ void add_pair(const Instant& now, std::size_t p, const StressModel& model, Addab
 /// First moment, symmetric part, of what a wall along r = (a + gap) e does to a sphere by a force along itself with a
 /// torque. Of the force, T x e / a acts where the sphere faces the wall; the rest is pressure, which has no torque but
 /// twice the symmetric moment. Of two spheres the two parts balance, and sym(r F) is all.
-Stress wall_moment(const Vec3<double>& r, const Vec3<double>& force, const Vec3<double>& e,
-                   const Vec3<double>& torque) {
-  return 2.0 * symmetric_product(r, force) - symmetric_product(e, cross(torque, e));
+Stress wall_moment(const Vec3<double>& r, const Vec3<double>& e, const WallWrench<double>& w) {
+  return 2.0 * symmetric_product(r, w.force) - symmetric_product(e, cross(w.torque, e));
 }
 
 /// The wall moves with the mean flow at its place.
@@ -91,11 +90,9 @@ void add_wall(const Instant& now, std::size_t i, const Twist<double>& t, Addable
   if (film.normal_y == 0) return;
   const Vec3<double> e = film.normal(), r = (now.state.radius[i] + film.gap) * e;
   const Vec3<double> u = Vec3<double>{film.wall_velocity, 0, 0} - t.linear;
-  const Vec3<double> ut = tangential_part(u, e);
   sum.stress.lubrication_normal += symmetric_product(r, film.k.X * dot(u, e) * e);
-  const Vec3<double> spin = tangential_part(t.angular, e);
-  sum.stress.lubrication_tangential += wall_moment(r, film.k.Y * ut, e, film.k.B * cross(e, ut));
-  sum.stress.lubrication_rotational += wall_moment(r, -film.k.B * cross(spin, e), e, -film.k.C * spin);
+  sum.stress.lubrication_tangential += wall_moment(r, e, wall_wrench(e, film.k, tangential_part(u, e), {}));
+  sum.stress.lubrication_rotational += wall_moment(r, e, wall_wrench(e, film.k, {}, t.angular));
   const auto w = wall_wrench(e, film.k, u, t.angular);
   sum.dissipation_lubrication += dot(w.force, u) - dot(w.torque, t.angular);
 }

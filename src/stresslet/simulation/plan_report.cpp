@@ -103,9 +103,10 @@ std::string warnings(const Case& c, const Plan& p) {
     warn("averages over less than 2 of strain: the error bar rests on few independent samples");
   const Vec3<double>& length = p.box.length;
   const double across = 2 * *std::max_element(p.radii.begin(), p.radii.end());
-  if (std::min({length.x, length.y, length.z}) < fewest_diameters_across * across)
+  const double diameters_across = std::min({length.x, length.y, length.z}) / across;
+  if (diameters_across < fewest_diameters_across)
     warn(fmt::format("the box is {:.2g} of the largest diameters across: particles feel their own images below four",
-                     std::min({length.x, length.y, length.z}) / across));
+                     diameters_across));
   if (!p.resolved && (c.resolution || c.flow.reynolds))
     warn("resolution and flow.reynolds have no effect: fidelity = \"lubricated\" has no lattice and no fluid inertia");
   if (p.physics.lubrication_law == "grand-resistance" && p.box.kind == BoxKind::walls)

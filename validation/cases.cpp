@@ -35,6 +35,7 @@ void sphere_wall(Trial&);
 void approach(Trial&);
 void passing(Trial&);
 void rotating(Trial&);
+void cut_off(Trial&);
 void settling(Trial&);
 void drafting_kissing_tumbling(Trial&);
 void wet_bounce(Trial&);
@@ -65,6 +66,7 @@ constexpr Case list[] = {
     {"B1", "B1-approach", "two spheres approach, gap of one cell", approach},
     {"B2", "B2-passing", "two spheres pass each other", passing},
     {"B3", "B3-rotating", "two spheres turn alike", rotating},
+    {"B4", "B4-cut-off", "two spheres approach, lubrication corrected below a cut-off", cut_off},
     {"stress-balance", "stress-balance", "what walls feel of a sphere, every operator and weight", stress_balance},
     {"pair-resistance", "pair-resistance", "two spheres: approach, resistance functions, extension", pair_resistance},
     {"stimson-jeffery", "stimson-jeffery", "two spheres that follow each other", stimson_jeffery},

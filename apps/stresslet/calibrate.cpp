@@ -1,18 +1,13 @@
-#include "stresslet/coupling/calibration/calibrate.hpp"
-
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <cmath>
-#include <fstream>
-#include <map>
 #include <memory>
-#include <nlohmann/json.hpp>
 
+#include "calibration_file.hpp"
 #include "commands.hpp"
 #include "stresslet/coupling/laws.hpp"
-#include "stresslet/io/provenance.hpp"
 #include "stresslet/lattice/laws.hpp"
 
 namespace stresslet {
@@ -20,14 +15,6 @@ namespace stresslet {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-struct CalibrateArguments {
-  PairScheme scheme;
-  CalibrationPlan plan;
-  std::string law = "soft-cut-off", output = "calibration.json", command_line;
-  int threads = 2;
-  bool quick = false, quiet = false;
-};
 
 struct Spread {
   double sum_of_squares = 0, lowest = 0, highest = 0;
@@ -59,8 +46,6 @@ std::vector<PairMeasurement> measure_all(const CalibrateArguments& a, const std:
   return measurements;
 }
 
-Json lengths_json(const SubgridLengths& l) { return {{"normal", l.normal}, {"sliding", l.sliding}, {"spin", l.spin}}; }
-
 Json vector_json(const Vec3<double>& v) { return {v.x, v.y, v.z}; }
 
 void calibrate(const CalibrateArguments& a) {
@@ -69,9 +54,7 @@ void calibrate(const CalibrateArguments& a) {
   const SubgridRange range;
   const SubgridLengths lengths = fit_lengths(measurements, a.law, range);
 
-  fmt::print("{} {} {} tau {:g}, {}: lengths in cells: normal {:.3f}, sliding {:.3f}, spin {:.3f}\n",
-             a.scheme.coupling_operator, a.scheme.weight, a.scheme.collision, a.scheme.relaxation_time, a.law,
-             lengths.normal, lengths.sliding, lengths.spin);
+  print_lengths(a, lengths);
   fmt::print("error in per cent, without -> with the correction\n{:<24}{:>6}", "direction", "gap");
   for (const char* name : pair_motion_names) fmt::print("{:>18}", name);
   fmt::print("\n");
@@ -104,42 +87,19 @@ void calibrate(const CalibrateArguments& a) {
   for (const Spread& s : spread) fmt::print("{:>18}", fmt::format("{:.1f} {:+.1f}", 100 * s.lowest, 100 * s.highest));
   fmt::print("\n");
 
-  const Provenance p = provenance(a.command_line, a.threads, 0);
   Json residual;
   for (std::size_t mode = 0; mode < 4; ++mode)
     residual[pair_motion_names[mode]] = {
         {"rms", spread[mode].rms()}, {"lowest", spread[mode].lowest}, {"highest", spread[mode].highest}};
-  const Json document{{"provenance",
-                       {{"version", p.version},
-                        {"commit", p.commit},
-                        {"compiler", p.compiler},
-                        {"date", p.date},
-                        {"command_line", p.command_line}}},
-                      {"scheme",
-                       {{"operator", a.scheme.coupling_operator},
-                        {"weight", a.scheme.weight},
-                        {"solid_fraction", a.scheme.solid_fraction},
-                        {"collision", a.scheme.collision},
-                        {"relaxation_time", a.scheme.relaxation_time},
-                        {"magic_parameter", a.scheme.magic_parameter}}},
-                      {"plan",
-                       {{"cells_across", a.plan.cells_across},
-                        {"radius_ratio", a.plan.radius_ratio},
-                        {"edge", a.plan.edge},
-                        {"gaps", a.plan.gaps},
-                        {"random_directions", a.plan.random_directions}}},
-                      {"law", a.law},
-                      {"lengths", lengths_json(lengths)},
-                      {"residual_errors", residual},
-                      {"pairs", rows}};
-  std::ofstream file(a.output);
-  file << document.dump(1) << "\n";
-  if (!file)
-    throw Error(ExitCode::internal, {a.output, "the calibration could not be written",
-                                     "the file cannot be opened, or "
-                                     "the disk is full",
-                                     "choose another place with --output"});
-  fmt::print("written: {}\n", a.output);
+  write_calibration(a, {{"plan",
+                         {{"cells_across", a.plan.cells_across},
+                          {"radius_ratio", a.plan.radius_ratio},
+                          {"edge", a.plan.edge},
+                          {"gaps", a.plan.gaps},
+                          {"random_directions", a.plan.random_directions}}},
+                        {"lengths", lengths_json(lengths)},
+                        {"residual_errors", residual},
+                        {"pairs", rows}});
 }
 
 }  // namespace
@@ -188,6 +148,9 @@ void add_calibrate(CLI::App& app, const std::string& command_line) {
                                        "times the mean diameter")
                           ->check(CLI::Range(16, 400));
   command->add_option("--threads", a->threads, "Threads")->check(CLI::Range(1, 1024))->capture_default_str();
+  command->add_flag("--wall", a->wall,
+                    "Films between a sphere and a half-way wall instead of pairs; --gaps, --random, --edge and "
+                    "--radius-ratio do not apply");
   command->add_flag("--quick", a->quick, "Three gaps and no random directions");
   command->add_flag("--quiet", a->quiet, "No progress line");
   command->add_option("--output", a->output, "JSON file with lengths, residual errors and all measured pairs")
@@ -198,7 +161,7 @@ void add_calibrate(CLI::App& app, const std::string& command_line) {
       a->plan.gaps = {0.05, 0.3, 1};
       a->plan.random_directions = 0;
     }
-    calibrate(*a);
+    a->wall ? calibrate_wall(*a) : calibrate(*a);
   });
 }
 

@@ -39,7 +39,7 @@ class SubgridLaw : public ::testing::Test {
     return s;
   }
   static SphereLink link(const std::vector<ResolvedSphere>& s, const ImageShift& image) {
-    return *subgrid_link(s, 0, 1, image, viscosity, {std::string(Law::name), lengths, {}});
+    return *subgrid_link(s, 0, 1, image, viscosity, {std::string(Law::name), lengths, {}, {}});
   }
 };
 TYPED_TEST_SUITE(SubgridLaw, GTestTypes<SubgridLaws>::type);
@@ -194,7 +194,8 @@ TYPED_TEST(SubgridLaw, WallOnlyDissipates) {
   for (int trial = 0; trial < 300; ++trial) {
     const double a = 10 * draw.log_uniform(0.3, 3), gap = draw.log_uniform(1e-3, 2.9);
     const Vec3<double> e = draw.direction(), u = draw.vector(), w = draw.vector();
-    const auto r = subgrid_wall_resistance_matrix(a, e, gap, viscosity, {std::string(TypeParam::name), lengths, {}});
+    const auto r =
+        subgrid_wall_resistance_matrix(a, e, gap, viscosity, {std::string(TypeParam::name), lengths, {}, {}});
     ASSERT_TRUE(r);
     EXPECT_LE((*r - r->transpose()).norm(), 1e-12 * r->norm());
     EXPECT_GE((Eigen::SelfAdjointEigenSolver<Matrix6>(*r, Eigen::EigenvaluesOnly).eigenvalues()(0)),

@@ -35,7 +35,7 @@ TEST(FreeFluid, IsCountedPlaneByPlaneInAnyNumberOfBlocks) {
     setup.collision = "TRT";
     setup.rates.relaxation_time = 1;
     ResolvedFluid fluid(setup, {"superposition", {.fraction = "exact"}});
-    ThreadTeam team(2);
+    ThreadTeam team(1);
     fluid.initialise(team, [&](const Cells& c) {
       CellState s;
       s.velocity = {velocity(c[1]), 1e-3 * std::cos(c[0]), 0};

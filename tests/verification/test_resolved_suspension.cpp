@@ -69,7 +69,7 @@ TEST(ResolvedSuspension, ShearedLatticeInSubsteps) {
 /// The same with layers of spheres cut by the sheared face, and a strain on.
 TEST(LongResolvedSuspension, ShearedLatticeCutByTheFace) {
   Suspension s = sheared_lattice(0.5 * spacing, {"flow.stokes=0.02"});
-  ThreadTeam team(2);
+  ThreadTeam team(1);
   start(s, team);
   for (const Exact& exact : {eighth, Exact{0.25, 1.25616, -0.03634, 0.02127}, Exact{0.5, 1.26973, 0, 0}})
     expect_rheology(s, team, exact);
@@ -202,7 +202,7 @@ TEST_P(ResolvedMomentum, IsConserved) {
   const ResolvedSetup& lattice = *plan.resolved;
   for (std::size_t k = 0; k < s.state.size(); ++k)
     s.state.set_velocity(k, {std::sin(double(k)), std::cos(2.0 * double(k)), 0.3});
-  ThreadTeam team(2);
+  ThreadTeam team(1);
   const auto momentum = [&] {
     // Momentum of the lattice in units of the program: rho dx^3 per cell, velocities dx/dt.
     const double unit = lattice.reynolds * std::pow(lattice.cell, 4) / lattice.step();

@@ -31,7 +31,7 @@ TEST(ResolvedWalls, SpheresFarApartAddTheirStresslets) {
     s.state.set_velocity(k, {});
     s.state.set_angular_velocity(k, {0, 0, -0.5});
   }
-  ThreadTeam team(2);
+  ThreadTeam team(1);
   start(s, team);
   // Five times the slowest relaxation of the channel, H^2/(pi^2 nu), with nu = 1/Re.
   while (s.strain < 5 * 25 * 0.1 / (pi * pi)) step(s, team);
@@ -45,7 +45,7 @@ TEST(ResolvedWalls, SpheresFarApartAddTheirStresslets) {
 TEST(ResolvedWalls, FeelTheSummedStress) {
   Suspension s = between_walls({"suspension.solid_fraction=0.35", "suspension.count=30",
                                 "resolution.cells_per_diameter=8", "contact.friction=0.5"});
-  ThreadTeam team(2);
+  ThreadTeam team(1);
   start(s, team);
   while (s.strain < 0.04) step(s, team);
   const Sample begin = sample(s, team);

@@ -29,7 +29,7 @@ FluidSetup sheared(const Cells& size) {
 }
 
 TEST(ShearedFluid, WithoutShearEqualsThePeriodicRunBitForBit) {
-  ThreadTeam team(2);
+  ThreadTeam team(1);
   const Cells n{9, 8, 7};
   FluidSetup setup = sheared(n);
   setup.forcing = "guo";
@@ -49,7 +49,7 @@ TEST(ShearedFluid, WithoutShearEqualsThePeriodicRunBitForBit) {
 
 /// sum momentum_x + U * (mass crossed upwards) is conserved; the mass in the lower half tells what has crossed.
 TEST(ShearedFluid, ConservesMassAndMomentum) {
-  ThreadTeam team(2);
+  ThreadTeam team(1);
   for (const auto& stencil : Stencils::names()) {
     const Cells n{12, 10, stencil == "D2Q9" ? 1 : 6};
     FluidSetup setup = sheared(n);

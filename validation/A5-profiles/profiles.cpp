@@ -30,7 +30,7 @@ Errors errors_of(const VelocityProfile& profile, double radius) {
 }  // namespace
 
 void profiles(Trial& trial) {
-  Table table{"profiles", {{"y", "a", "from the centre"}, {"u_x", "gdot a", "exact"}}, {{}, {}}};
+  Table table{"profiles", {{"y", "a", "from the centre"}, {"exact", "gdot a", "velocity along the flow"}}, {{}, {}}};
   std::vector<std::pair<std::string, ResolvedScheme>> schemes{{"default", default_scheme(trial.choose(1.0, 2.0))}};
   if (!trial.quick()) {
     schemes.emplace_back("superposition", thesis_scheme(0.7));
@@ -46,7 +46,7 @@ void profiles(Trial& trial) {
       table.values[0] = found.height;
       for (const double y : found.height) table.values[1].push_back(exact_velocity(y));
     }
-    table.columns.push_back({"u_x", "gdot a", name});
+    table.columns.push_back({name, "gdot a", "velocity along the flow"});
     table.values.push_back(found.velocity);
     errors.push_back(errors_of(found, setup.radius));
     trial.parameter(name + ": error inside", errors.back().inside);

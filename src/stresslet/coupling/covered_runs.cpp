@@ -40,14 +40,15 @@ CoveredRuns::CoveredRuns(const Grid& grid, const SolidLaws& laws)
   });
 }
 
-void CoveredRuns::find_images(const std::vector<ResolvedSphere>& spheres, double offset, double velocity) {
+bool CoveredRuns::find_images(const std::vector<ResolvedSphere>& spheres, double offset, double velocity) {
+  std::swap(images_, images_before_);
   images_.clear();
   first_image_.assign(1, 0);
   for (std::size_t k = 0; k < spheres.size(); ++k) {
     append_images(grid_, spheres[k], std::int32_t(k), touch_radius_(spheres[k].radius), offset, velocity, images_);
     first_image_.push_back(images_.size());
   }
-  first_slot_.assign(images_.size() + 1, 0);
+  return !std::exchange(placed_, true) || images_ != images_before_;
 }
 
 void CoveredRuns::find_runs(Found& found, const Range& images) {
@@ -77,7 +78,8 @@ void CoveredRuns::find_runs(Found& found, const Range& images) {
                                                      .global = global,
                                                      .cells = {x, next},
                                                      .full = row.full,
-                                                     .first_pack = 0});
+                                                     .first_pack = 0,
+                                                     .filled = false});
                                const CoveredRun& run = found.runs.back();
                                const std::size_t in_row = row_of(run);
                                ++found.runs_in[in_row];
@@ -123,10 +125,14 @@ void CoveredRuns::place(Member& member, const std::vector<ResolvedSphere>& spher
                         double shear_velocity) {
   const std::size_t rank = std::size_t(member.rank()), members = std::size_t(member.size());
   if (rank == 0) {
-    find_images(spheres, shear_offset, shear_velocity);
-    found_.resize(members);
+    moved_ = find_images(spheres, shear_offset, shear_velocity);
+    if (moved_) {
+      first_slot_.assign(images_.size() + 1, 0);
+      found_.resize(members);
+    }
   }
   member.barrier();
+  if (!moved_) return member.barrier();
   const Range images = member.share(images_.size());
   find_runs(found_[rank], images);
   member.barrier();
@@ -143,7 +149,9 @@ void CoveredRuns::fill(const Range& runs) {
   const Pack lanes([](auto k) { return double(k); });
   const Pack full = weight.drag(Pack(1.0));
   for (std::size_t k = runs.begin; k < runs.end; ++k) {
-    const CoveredRun& run = runs_[k];
+    CoveredRun& run = runs_[k];
+    if (run.filled) continue;
+    run.filled = true;
     const SphereImage& image = images_[std::size_t(run.image)];
     for (int p = 0; p < run.packs; ++p) {
       const int x = run.global[0] + p * width;

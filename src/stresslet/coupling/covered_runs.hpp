@@ -31,6 +31,7 @@ struct CoveredRun {
   CellRange cells;           ///< global
   CellRange full;            ///< cells entirely inside the sphere, global
   std::uint32_t first_pack;  ///< where its solid drags begin
+  bool filled;               ///< whether these are there
 };
 
 struct SolidLaws {
@@ -42,10 +43,11 @@ class CoveredRuns {
  public:
   CoveredRuns(const Grid& grid, const SolidLaws& laws);
 
-  /// Finds all images and runs of `spheres`. All members of the team call it; ends with a barrier.
+  /// Finds all images and runs of `spheres`; keeps what it has where all stay as they were. All members of the team
+  /// call it; ends with a barrier.
   void place(Member& member, const std::vector<ResolvedSphere>& spheres, double shear_offset, double shear_velocity);
 
-  /// The solid drags of the cells of these runs.
+  /// The solid drags of the cells of these runs, once a placement.
   void fill_drags(const Range& runs) { (this->*fill_)(runs); }
 
   const std::vector<SphereImage>& images() const { return images_; }
@@ -70,7 +72,8 @@ class CoveredRuns {
     std::vector<std::uint32_t> runs_in, packs_in;  ///< [row]: numbers, afterwards the place of the next one
   };
 
-  void find_images(const std::vector<ResolvedSphere>& spheres, double offset, double velocity);
+  /// Whether the images differ from those of the last placement.
+  bool find_images(const std::vector<ResolvedSphere>& spheres, double offset, double velocity);
   void find_runs(Found& found, const Range& images);
   void divide_rows(std::size_t members);
   void sort_into_rows(Found& found, const Range& images, std::size_t first_slot);
@@ -87,7 +90,8 @@ class CoveredRuns {
   std::vector<std::size_t> first_row_;  ///< [block]: number of its first row, all blocks in one list
   std::array<std::vector<std::pair<int, int>>, 3>
       places_;  // per axis and cell: contribution to the block's number, place
-  std::vector<SphereImage> images_;
+  std::vector<SphereImage> images_, images_before_;
+  bool placed_ = false, moved_ = true;
   std::vector<std::size_t> first_image_, first_slot_;
   std::vector<std::uint32_t> first_run_;   ///< [row]
   std::vector<Found> found_;               ///< [member]

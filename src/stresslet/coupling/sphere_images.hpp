@@ -20,6 +20,8 @@ struct SphereImage {
   Vec3<double> centre;
   double radius;
   double velocity_jump;  ///< along x: velocity of the image minus that of the sphere
+
+  friend bool operator==(const SphereImage&, const SphereImage&) = default;
 };
 
 /// The images of sphere `index`, in a fixed order. `touch_radius` bounds what it covers; the image above a sheared face

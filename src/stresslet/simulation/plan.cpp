@@ -82,7 +82,7 @@ double settled_step(const Case& c, const StepBounds& bounds) {
 }
 
 void check_walls(const Case& c, const Plan& plan) {
-  if (plan.resolved || plan.box.kind != BoxKind::walls || plan.physics.cutoffs.outer < 0.5) return;
+  if (plan.box.kind != BoxKind::walls || plan.physics.cutoffs.outer < 0.5) return;
   throw InputError({c.where("lubrication.outer_cutoff"), "lubrication.outer_cutoff must be below 0.5 with walls",
                     "the film between a sphere and a wall is described for gaps below the radius, d_eff being the "
                     "diameter there",
@@ -93,16 +93,22 @@ Vec3<double> box_of(double volume, const Vec3<double>& aspect) {
   return std::cbrt(volume / (aspect.x * aspect.y * aspect.z)) * aspect;
 }
 
+double smallest_radius(const Plan& plan) { return *std::min_element(plan.radii.begin(), plan.radii.end()); }
+
+/// Of the films of the model and, d_eff being least for two of the smallest, of what the lattice does not resolve.
+double film_reach(const Plan& plan) {
+  double reach = plan.physics.lubrication_law == "none" ? 0.0 : plan.physics.cutoffs.outer;
+  if (plan.resolved && plan.resolved->correction)
+    reach = std::max(reach, plan.resolved->correction->range.outer * plan.resolved->cell / smallest_radius(plan));
+  return reach;
+}
+
 constexpr double most_substeps = 100;
 
 /// The lattice fixes the step; particles that need shorter ones take several in it.
 void settle_resolved(const Case& c, Plan& plan) {
-  const auto [smallest, largest] = std::minmax_element(plan.radii.begin(), plan.radii.end());
-  plan.resolved = resolved_setup(c, plan.box, *smallest);
+  plan.resolved = resolved_setup(c, plan.box, smallest_radius(plan));
   plan.physics.drag = plan.physics.stresslet = false;
-  // The range of the correction for every pair; d_eff is least for two of the smallest.
-  if (plan.resolved->correction)
-    plan.physics.cutoffs.outer = plan.resolved->correction->range.outer * plan.resolved->cell / *smallest;
   plan.time.step = plan.resolved->step();
   const double parts = std::ceil(plan.time.step / plan.bounds.chosen - 1e-9);
   if (parts > most_substeps)
@@ -183,8 +189,7 @@ Plan make_plan(const Case& c, const Existing* existing) {
     settle_resolved(c, plan);
   else
     plan.time.step = settled_step(c, plan.bounds);
-  const bool films = c.resolved() ? plan.resolved->correction.has_value() : plan.physics.lubrication_law != "none";
-  plan.range = {films ? plan.physics.cutoffs.outer : 0.0};
+  plan.range = {film_reach(plan)};
   check_walls(c, plan);
   check_box(plan.box, *std::max_element(plan.radii.begin(), plan.radii.end()), plan.range, plan.skin,
             c.where(c.suspension.file ? "suspension.file" : "suspension.count"));

@@ -54,7 +54,8 @@ struct Run {
 
   RunCost cost() const {
     return {cost_before.wall_seconds + wall.seconds(),
-            cost_before.particle_steps + double(suspension.steps - first_step) * double(plan.count())};
+            cost_before.particle_steps + double(suspension.steps - first_step) * double(plan.count()),
+            suspension.spent};
   }
 };
 
@@ -71,12 +72,14 @@ bool passed(const Run& run, double interval) {
 
 void take_sample(Run& run) {
   Suspension& s = run.suspension;
+  const Timer timer;
   const Sample m = sample(s, run.team);
   if (s.resolved) check_fluid(s);
   check_finite(s);
   check_solver(s);
   FluidSample fluid;
   if (s.resolved) fluid = sample_fluid(s, run.team);
+  s.spent.analysis += timer.seconds();
   run.results.add_sample(run.series.add(s.strain, m, double(run.plan.count()), s.solver_report.iterations, fluid));
   if (s.box.shear_rate > 0) check_energy_balance(run.series, run.settled.run.monitor_tolerance);
   if (s.strain < run.settled.run.average_from.value_or(profile_from_without_average) - strain_round_off) return;

@@ -21,7 +21,7 @@ ProfileSums profile_sums(const Checkpoint& c) {
 }
 
 RunCost run_cost(const Checkpoint& c) {
-  return {stored<double>(c.scalars, "wall_seconds"), stored<double>(c.scalars, "particle_steps")};
+  return {stored<double>(c.scalars, "wall_seconds"), stored<double>(c.scalars, "particle_steps"), {}};
 }
 
 Series restored_series(const ResultsReader& reader, FluidColumns fluid) {

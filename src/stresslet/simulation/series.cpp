@@ -57,6 +57,11 @@ void for_each_quantity(double strain, const Sample& m, double energy_rate, doubl
   visit("kinetic_stresslet_xy", stress_unit,
         "part of stresslet_xy; less this it is the usual first moment of the force on the fluid",
         fluid.kinetic_stresslet);
+  StressParts::for_each(fluid.virtual_films, [&](const std::string& part, const Stress& stress) {
+    if (part.starts_with("lubrication"))
+      visit("virtual_" + part + "_xy", stress_unit,
+            "what the lubricated model would make of these positions and velocities, part " + part, stress.xy);
+  });
   if (columns != FluidColumns::resolved_and_sheared) return;
   visit(
       "stored_momentum", "viscosity",

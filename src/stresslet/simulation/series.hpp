@@ -14,6 +14,7 @@ struct FluidSample {
   double viscosity_through_plane = 0, stored_momentum = 0;  ///< sheared box or walls
   double lowest_density = 1, highest_density = 1;
   double kinetic_stresslet = 0;  ///< xy, the part of the stresslet that is no first moment of the force
+  StressParts virtual_films;     ///< resolved/virtual_films.hpp
 };
 /// Which of these the series has.
 enum class FluidColumns { none, resolved, resolved_and_sheared };

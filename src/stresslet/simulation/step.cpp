@@ -1,6 +1,7 @@
 #include "stresslet/simulation/step.hpp"
 
 #include "stresslet/exec/chunk_sum.hpp"
+#include "stresslet/exec/timer.hpp"
 #include "stresslet/lubrication/laws.hpp"
 #include "stresslet/simulation/neighbours.hpp"
 #include "stresslet/simulation/resolved/resolved_flow.hpp"
@@ -54,6 +55,11 @@ void drift(Member& member, Suspension& s) {
 template <class Scheme>
 void interact(Suspension& s, ThreadTeam& team, double contact_step, double velocity_step, Part part) {
   team.run([&](Member& member) {
+    Timer timer;
+    const auto charge = [&](double TimeSpent::*what) {
+      if (member.rank() == 0) s.spent.*what += timer.seconds();
+      timer.restart();
+    };
     load_velocities<Scheme>(member, s);
     const ContactVelocities velocities{s.velocity, s.velocity_now};
     s.pairs.update(member, s.list, s.state, s.box);
@@ -63,15 +69,19 @@ void interact(Suspension& s, ThreadTeam& team, double contact_step, double veloc
     if (s.resolved) {
       if (member.rank() == 0) s.resolved->count_carried(s.state, s.box, part.first, s.time.substep());
       update_subgrid_films(member, s);
+      charge(&TimeSpent::particles);
       if (part.first) s.resolved->prepare(member, s.state, s.box, s.fluid_coupling);
+      charge(&TimeSpent::coupling);
     } else {
       s.lubrication.update(member, s.physics.lubrication_law, s.physics.cutoffs, s.pairs, s.box);
       s.walls.update(member, s.physics.lubrication_law, s.physics.cutoffs, s.state, s.box);
     }
     Scheme::advance_velocities(member, s, velocity_step);
-    if (!s.resolved) return;
-    s.resolved->follow(member, s.state, part.first, part.share);
-    if (part.last) s.resolved->sweep(member);
+    if (s.resolved) s.resolved->follow(member, s.state, part.first, part.share);
+    charge(&TimeSpent::particles);
+    if (!s.resolved || !part.last) return;
+    s.resolved->sweep(member);
+    charge(&TimeSpent::lattice);
   });
 }
 
@@ -91,8 +101,10 @@ void step(Suspension& s, ThreadTeam& team) {
   const int parts = s.time.substeps;
   const double dt = s.time.substep();
   for (int k = 0; k < parts; ++k) {
+    const Timer timer;
     team.run([&](Member& member) { drift(member, s); });
     if (!s.list.valid(largest_displacement(s), s.strain_since_build)) rebuild_neighbours(s, team);
+    s.spent.particles += timer.seconds();
     TimeSchemes::dispatch(s.time.scheme, [&](auto tag) {
       interact<typename decltype(tag)::type>(s, team, dt, dt, {k == 0, k == parts - 1, 1.0 / parts});
     });
@@ -107,13 +119,18 @@ void resume(Suspension& s) {
   prepare_pair_arrays(s);
 }
 
-Sample sample(const Suspension& s, ThreadTeam& team) {
+TwistVector synchronous_velocities(const Suspension& s) {
   TwistVector synchronous;
   synchronous.resize(s.state.size());
   TimeSchemes::dispatch(s.time.scheme, [&](auto tag) {
     for (std::size_t i = 0; i < s.state.size(); ++i)
       synchronous.set(i, decltype(tag)::type::synchronous_velocity(s, i));
   });
+  return synchronous;
+}
+
+Sample sample(const Suspension& s, ThreadTeam& team) {
+  const TwistVector synchronous = synchronous_velocities(s);
   StressModel model{s.physics.drag, s.physics.stresslet, false};
   LubricationLaws::dispatch(s.physics.lubrication_law, [&](auto tag) {
     model.lubrication_sees_background = decltype(tag)::type::sees_background;

@@ -24,6 +24,9 @@ void step(Suspension& s, ThreadTeam& team);
 /// Work arrays and velocities for a suspension whose state, list and history have been read from a checkpoint.
 void resume(Suspension& s);
 
+/// Twists that belong to the present positions, where the time scheme keeps them for another moment.
+TwistVector synchronous_velocities(const Suspension& s);
+
 /// Stress and energies now, with velocities synchronous to the positions.
 Sample sample(const Suspension& s, ThreadTeam& team);
 

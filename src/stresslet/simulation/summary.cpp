@@ -102,11 +102,20 @@ std::string summary_json(const Case& settled, const Plan& plan, const Series& se
   j["wall_seconds"] = cost.wall_seconds;
   j["particle_steps_per_second"] = cost.wall_seconds > 0 ? cost.particle_steps / cost.wall_seconds : 0.0;
   j["seconds_per_unit_strain"] = strain.back() > 0 ? cost.wall_seconds / strain.back() : 0.0;
+  if (cost.spent.sum() > 0) {
+    const TimeSpent& t = cost.spent;
+    const double all = t.sum();
+    j["time_share"] = {{"particles", t.particles / all}, {"analysis", t.analysis / all}};
+    if (plan.resolved) j["time_share"].update({{"coupling", t.coupling / all}, {"lattice", t.lattice / all}});
+  }
   if (plan.resolved) {
     const ResolvedSetup& r = *plan.resolved;
     j["relaxation_time"] = r.rates.relaxation_time;
     j["reynolds_number"] = r.reynolds;
     j["cells_per_diameter"] = 1 / r.cell;
+    StressParts::for_each(StressParts{}, [&](const std::string& part, const Stress&) {
+      if (part.starts_with("lubrication")) j["virtual_films"][part] = as_json(mean("virtual_" + part + "_xy"));
+    });
     if (series.has("relative_viscosity_through_plane")) j["stress_closure"] = as_json(stress_closure(series, window));
     const DensityExtremes density = density_extremes(series);
     j["lowest_density"] = density.lowest;

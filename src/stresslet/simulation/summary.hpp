@@ -13,6 +13,7 @@ namespace stresslet {
 struct RunCost {
   double wall_seconds = 0;
   double particle_steps = 0;
+  TimeSpent spent;  ///< by the last process alone
 };
 
 /// First row to average: from run.average_from, or from the detected steady state of the viscosity.

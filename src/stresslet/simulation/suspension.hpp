@@ -37,6 +37,16 @@ struct TimeControl {
   double substep() const { return step / substeps; }
 };
 
+/// Wall-clock seconds of this process by what they went into.
+struct TimeSpent {
+  double particles = 0;  ///< neighbours, contacts, films, velocities
+  double coupling = 0;   ///< mapping spheres to cells and measuring the fluid there
+  double lattice = 0;    ///< collisions and streaming, with the solid
+  double analysis = 0;   ///< stress, dissipation, profiles
+
+  double sum() const { return particles + coupling + lattice + analysis; }
+};
+
 struct Suspension {
   Physics physics;
   TimeControl time;
@@ -66,6 +76,8 @@ struct Suspension {
   TwistVector velocity_now;  ///< twists synchronous to the positions, as far as known before the forces
   TwistVector change;        ///< of the velocities over the last step: the solver's first guess
   TwistVector residual;
+
+  TimeSpent spent;
 };
 
 }  // namespace stresslet

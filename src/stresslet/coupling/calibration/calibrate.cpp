@@ -12,8 +12,10 @@ namespace {
 
 constexpr unsigned seed = 20180;
 
-/// Least value of `f` on [0, 2]: a coarse scan, then golden sections around its best point.
-double minimum(const std::function<double(double)>& f) {
+}  // namespace
+
+/// A coarse scan, then golden sections around its best point.
+double least_length(const std::function<double(double)>& f) {
   constexpr double longest = 2, spacing = 0.02, golden = 0.6180339887498949;
   double best = 0;
   for (double l = 0; l <= longest; l += spacing)
@@ -25,8 +27,6 @@ double minimum(const std::function<double(double)>& f) {
   }
   return 0.5 * (low + high);
 }
-
-}  // namespace
 
 std::vector<CalibrationPoint> calibration_points(const CalibrationPlan& plan) {
   struct Direction {
@@ -92,7 +92,7 @@ SubgridLengths fit_lengths(const std::vector<PairMeasurement>& measurements, con
                            const SubgridRange& range) {
   SubgridLengths best;
   const auto fit = [&](double SubgridLengths::*length, std::initializer_list<std::size_t> modes) {
-    best.*length = minimum([&](double value) {
+    best.*length = least_length([&](double value) {
       SubgridLengths trial = best;
       trial.*length = value;
       double sum = 0;

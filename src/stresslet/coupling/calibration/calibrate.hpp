@@ -35,6 +35,9 @@ Eigen::Matrix4d corrected_resistance(const PairMeasurement& measurement, const s
 std::array<double, 4> corrected_errors(const PairMeasurement& measurement, const std::string& law,
                                        const SubgridLengths& lengths, const SubgridRange& range);
 
+/// The length in [0, 2] cells at which `f` is least, to 1e-5.
+double least_length(const std::function<double(double)>& f);
+
 SubgridLengths fit_lengths(const std::vector<PairMeasurement>& measurements, const std::string& law,
                            const SubgridRange& range);
 

@@ -8,10 +8,10 @@ namespace stresslet {
 
 const std::vector<CalibratedLengths>& calibrated_lengths() {
   static const std::vector<CalibratedLengths> rows{
-      {"superposition", "viscosity-scaled", "TRT", "soft-cut-off", 0.6, 3, {0.454, 0.133, 0.239}},
-      {"guo-form", "viscosity-scaled", "TRT", "soft-cut-off", 0.6, 3, {0.454, 0.133, 0.239}},
+      {"superposition", "viscosity-scaled", "TRT", "soft-cut-off", 0.6, 3, {0.454, 0.133, 0.239}, {}},
+      {"guo-form", "viscosity-scaled", "TRT", "soft-cut-off", 0.6, 3, {0.454, 0.133, 0.239}, {}},
       // The thesis preset with its published lengths: Najuch (2018), ch. 4.
-      {"superposition", "linear", "BGK", "hard-cut-off", 0.65, 0.65, {0.75, 0.05, 0.04}},
+      {"superposition", "linear", "BGK", "hard-cut-off", 0.65, 0.65, {0.75, 0.05, 0.04}, {}},
   };
   return rows;
 }
@@ -22,7 +22,7 @@ SubgridCorrection calibrated_correction(const std::string& coupling_operator, co
     if (row.coupling_operator == coupling_operator && row.weight == weight && row.collision == collision &&
         row.law == law && row.lowest_relaxation_time <= relaxation_time &&
         relaxation_time <= row.highest_relaxation_time)
-      return {law, row.lengths, {}};
+      return {law, row.lengths, {}, row.at_walls};
   throw InputError({"",
                     fmt::format("no calibrated sub-grid correction {} for the operator {} with the weight {}, "
                                 "collision {}, relaxation time {}",

@@ -64,7 +64,8 @@ std::optional<Matrix6> subgrid_wall_resistance_matrix(double radius, const Vec3<
   if (gap >= correction.range.outer) return std::nullopt;
   PairResistance<double> k;
   with_law(correction, [&](auto law) {
-    k = subgrid_wall_resistance<typename decltype(law)::type>(radius, gap, correction.lengths, correction.range);
+    k = subgrid_wall_resistance<typename decltype(law)::type>(radius, gap, correction.lengths_at_walls(),
+                                                              correction.range);
   });
   return dynamic_viscosity * wall_resistance_matrix(k, e);
 }

@@ -13,6 +13,9 @@ struct SubgridCorrection {
   std::string law = "soft-cut-off";  ///< a name from SubgridLaws
   SubgridLengths lengths;            ///< calibrated_lengths.hpp has those of the common schemes
   SubgridRange range;
+  std::optional<SubgridLengths> wall_lengths;  ///< of films at walls, where they differ
+
+  const SubgridLengths& lengths_at_walls() const { return wall_lengths ? *wall_lengths : lengths; }
 };
 
 /// The image of `second` that meets `first`: its centre and velocity less those of `second`.

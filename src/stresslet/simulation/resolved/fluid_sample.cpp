@@ -1,5 +1,7 @@
 #include "stresslet/simulation/resolved/fluid_sample.hpp"
 
+#include "stresslet/simulation/resolved/virtual_films.hpp"
+#include "stresslet/simulation/step.hpp"
 #include "stresslet/simulation/stored.hpp"
 
 namespace stresslet {
@@ -44,7 +46,12 @@ double stress_through_plane(const Suspension& s, ThreadTeam& team) {
 
 FluidSample sample_fluid(Suspension& s, ThreadTeam& team) {
   const FluidEnergy& look = s.resolved->last_look();
-  FluidSample found{0, 0, look.lowest_density, look.highest_density, s.resolved->kinetic_stresslet(s.box).xy};
+  FluidSample found{0,
+                    0,
+                    look.lowest_density,
+                    look.highest_density,
+                    s.resolved->kinetic_stresslet(s.box).xy,
+                    virtual_film_stress(s, synchronous_velocities(s), team)};
   if (s.resolved->setup().is_sheared()) {
     found.viscosity_through_plane = stress_through_plane(s, team);
     found.stored_momentum = s.resolved->stored_momentum(s.state, s.box);

@@ -23,7 +23,8 @@ std::optional<SubgridCorrection> correction_of(const Case& c) {
   const ResolutionInput& r = *c.resolution;
   const std::string_view films = c.switches().lubrication;
   if (*r.correction == no_correction || films == "none") return std::nullopt;
-  SubgridCorrection correction{*r.correction, {}, {}};
+  SubgridCorrection correction;
+  correction.law = *r.correction;
   if (r.correction_lengths) {
     const std::vector<double>& l = *r.correction_lengths;
     correction.lengths = {l[0], l[1], l[2]};
@@ -34,7 +35,10 @@ std::optional<SubgridCorrection> correction_of(const Case& c) {
       throw InputError({c.where("resolution.correction"), error.what(), "", ""});
     }
   }
-  if (films == NormalOnly::name) correction.lengths.sliding = correction.lengths.spin = 0;
+  if (films == NormalOnly::name) {
+    correction.lengths = {correction.lengths.normal, 0, 0};
+    correction.wall_lengths = SubgridLengths{correction.lengths_at_walls().normal, 0, 0};
+  }
   return correction;
 }
 

@@ -14,8 +14,10 @@ void update_subgrid_films(Member& member, Suspension& s) {
         member, s.state, s.box, [](double) { return 0.0; }, [&](double a, double gap) { return none(a, a, gap); });
   }
   const double cell = s.resolved->setup().cell;
-  const SubgridLengths& l = correction->lengths;
-  const SubgridLengths lengths{cell * l.normal, cell * l.sliding, cell * l.spin};
+  const auto scaled = [&](const SubgridLengths& l) {
+    return SubgridLengths{cell * l.normal, cell * l.sliding, cell * l.spin};
+  };
+  const SubgridLengths lengths = scaled(correction->lengths), at_walls = scaled(correction->lengths_at_walls());
   const SubgridRange range{s.physics.cutoffs.inner, cell * correction->range.outer};
   SubgridLaws::dispatch(correction->law, [&](auto law) {
     using Law = typename decltype(law)::type;
@@ -24,7 +26,7 @@ void update_subgrid_films(Member& member, Suspension& s) {
     });
     s.walls.update_with(
         member, s.state, s.box, [&](double) { return range.outer; },
-        [&](double a, double gap) { return subgrid_wall_resistance<Law>(a, gap, lengths, range); });
+        [&](double a, double gap) { return subgrid_wall_resistance<Law>(a, gap, at_walls, range); });
   });
 }
 

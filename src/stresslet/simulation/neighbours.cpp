@@ -84,11 +84,11 @@ double largest_displacement(const Suspension& s) {
   return std::sqrt(square);
 }
 
-void rebuild_neighbours(Suspension& s, ThreadTeam& team) {
+void rebuild_neighbours(Suspension& s, ThreadTeam& team, bool may_sort) {
   constexpr std::int64_t builds_between_sorts = 25;
   const SpringTable springs = stretched_springs(s);
   s.list.build(team, s.state, s.box);
-  if (s.builds % builds_between_sorts == 0) {
+  if (may_sort && s.builds % builds_between_sorts == 0) {
     reorder(s, s.list.spatial_order());
     s.list.build(team, s.state, s.box);
   }

@@ -12,8 +12,9 @@ void check_box(const Box& box, double largest_radius, const InteractionRange& ra
 /// Largest distance that a particle has moved against the mean flow since the list was built.
 double largest_displacement(const Suspension& s);
 
-/// Sorts the particles in space now and then, builds the list, and carries the contact history over.
-void rebuild_neighbours(Suspension& s, ThreadTeam& team);
+/// Builds the list and carries the contact history over. Sorts the particles in space now and then, if `may_sort`:
+/// whoever keeps something by the place of a particle meanwhile must not allow it.
+void rebuild_neighbours(Suspension& s, ThreadTeam& team, bool may_sort = true);
 
 /// Sizes the work arrays that go with the Verlet list; `rebuild_neighbours` calls it.
 void prepare_pair_arrays(Suspension& s);

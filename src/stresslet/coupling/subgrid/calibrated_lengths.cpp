@@ -8,8 +8,22 @@ namespace stresslet {
 
 const std::vector<CalibratedLengths>& calibrated_lengths() {
   static const std::vector<CalibratedLengths> rows{
-      {"superposition", "viscosity-scaled", "TRT", "soft-cut-off", 0.6, 3, {0.454, 0.133, 0.239}, {}},
-      {"guo-form", "viscosity-scaled", "TRT", "soft-cut-off", 0.6, 3, {0.454, 0.133, 0.239}, {}},
+      {"superposition",
+       "viscosity-scaled",
+       "TRT",
+       "soft-cut-off",
+       0.6,
+       3,
+       {0.454, 0.133, 0.239},
+       SubgridLengths{0.373, 0.087, 0}},
+      {"guo-form",
+       "viscosity-scaled",
+       "TRT",
+       "soft-cut-off",
+       0.6,
+       3,
+       {0.454, 0.133, 0.239},
+       SubgridLengths{0.373, 0.087, 0}},
       // The thesis preset with its published lengths: Najuch (2018), ch. 4.
       {"superposition", "linear", "BGK", "hard-cut-off", 0.65, 0.65, {0.75, 0.05, 0.04}, {}},
   };

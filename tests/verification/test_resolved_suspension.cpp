@@ -242,6 +242,41 @@ TEST(ResolvedSuspension, SortedOrNotInTheMidstOfAStep) {
   for (std::size_t k = 0; k < sorted.size(); ++k) EXPECT_LT(norm(sorted[k] - unsorted[k]), 1e-7) << k;
 }
 
+/// Spheres that cross the sheared face in the midst of a step of the lattice, between two of their own, keep to the fluid
+/// that they met before: as the same spheres nine cells lower do, where no face is.
+TEST(ResolvedSuspension, CrossedOrNotInTheMidstOfAStep) {
+  constexpr double up = 0.5;  // velocity of all
+  const auto after_two_steps = [](double cells_lower) {
+    const std::vector<std::string> keys{"flow.reynolds=0.01", "flow.stokes=0.01"};
+    Suspension s = sheared_lattice(0, keys);
+    s.time.substeps = 3;
+    s.time.solver_tolerance = 1e-10;
+    const double cell = s.resolved->setup().cell, below = 1.5 * up * s.time.substep();
+    for (std::size_t k = 0; k < s.state.size(); ++k) {
+      Vec3<double> x = s.state.position(k);
+      x.y += 0.5 * spacing - below - cells_lower * cell;
+      s.state.set_position(k, x);
+      s.state.set_velocity(k, {s.box.mean_flow(x.y), up, 0});
+    }
+    ThreadTeam team(1);
+    start(s, team);
+    // The velocities of the start are those that the fluid leaves: all up once more.
+    std::vector<Vec3<double>> by_id(s.state.size());
+    for (std::size_t k = 0; k < s.state.size(); ++k) s.state.uy[k] = up;
+    int below_middle = 0;
+    for (int n = 0; n < 2; ++n) step(s, team);
+    for (std::size_t k = 0; k < s.state.size(); ++k) {
+      const Vec3<double> u = s.state.velocity(k);
+      by_id[std::size_t(s.state.id[k])] = {u.x - s.box.mean_flow(s.state.y[k]), u.y, u.z};
+      below_middle += s.state.y[k] < 0.1 * spacing;
+    }
+    EXPECT_EQ(below_middle, cells_lower == 0 ? 4 : 0);
+    return by_id;
+  };
+  const auto crossed = after_two_steps(0), inside = after_two_steps(9);
+  for (std::size_t k = 0; k < crossed.size(); ++k) EXPECT_LT(norm(crossed[k] - inside[k]), 1e-4) << k;
+}
+
 /// Stiffer contacts shorten the step of the particles, not that of the lattice.
 TEST(ResolvedSuspension, ParticlesTakeTheStepsTheyNeed) {
   const auto plan = [](const char* stiffness) {

@@ -53,6 +53,14 @@ class FluidCoupling {
     }
   }
 
+  /// The particle's velocity counts from another frame, faster by -`change`: what acts on it stays the same.
+  void change_frame(std::size_t i, const Vec3<double>& change) {
+    push[i].linear += resistance[i].linear * change;
+    push[i].angular += cross(resistance[i].offset, change);
+    for (std::uint32_t k = first_[i]; k < first_[i + 1]; ++k)
+      friction_[end_[k].friction].jump += end_[k].is_first ? change : -change;
+  }
+
   /// Calls `visit(friction, whether the particle comes first)`.
   template <class Visit>
   void for_each_friction_of(std::size_t particle, Visit&& visit) const {

@@ -67,7 +67,8 @@ void interact(Suspension& s, ThreadTeam& team, double contact_step, double veloc
                       s.history);
     s.wall_contacts.update(member, s.physics.contact, s.state, velocities, s.box, contact_step);
     if (s.resolved) {
-      if (member.rank() == 0) s.resolved->count_carried(s.state, s.box, part.first, s.time.substep());
+      if (member.rank() == 0)
+        s.resolved->note_crossings(s.state, s.box, part.first, s.time.substep(), s.fluid_coupling);
       update_subgrid_films(member, s);
       charge(&TimeSpent::particles);
       if (part.first) s.resolved->prepare(member, s.state, s.box, s.fluid_coupling);

@@ -49,6 +49,7 @@ void ResolvedFlow::prepare(Member& member, const ParticleState& state, const Box
   const std::size_t n = state.size();
   if (member.rank() == 0) {
     spheres_.resize(n);
+    frame_.assign(n, 0.0);
     coupling.resistance.resize(n);
     coupling.push.resize(n);
     if (setup_.box == BoxKind::lees_edwards) fluid_.lattice().shear_offset = box.offset / setup_.cell;
@@ -78,12 +79,17 @@ void ResolvedFlow::prepare(Member& member, const ParticleState& state, const Box
   member.barrier();
 }
 
-void ResolvedFlow::count_carried(const ParticleState& state, const Box& box, bool first, double step) {
+void ResolvedFlow::note_crossings(const ParticleState& state, const Box& box, bool first, double step,
+                                  FluidCoupling& coupling) {
   carried_.steps += first;
   for (std::size_t i = 0; i < state.size(); ++i) {
     const double boxes_up = std::floor((state.y[i] - step * state.uy[i]) / box.length.y);
     if (boxes_up == 0) continue;
-    carried_.momentum -= boxes_up * state.mass(i) * (state.ux[i] - 0.5 * boxes_up * box.velocity_jump());
+    const double gain = boxes_up * box.velocity_jump();
+    carried_.momentum -= boxes_up * state.mass(i) * (state.ux[i] - 0.5 * gain);
+    if (first) continue;
+    frame_[i] += gain;
+    coupling.change_frame(i, {gain, 0, 0});
   }
 }
 
@@ -92,7 +98,7 @@ void ResolvedFlow::follow(Member& member, const ParticleState& state, bool first
   for (std::size_t i = mine.begin; i < mine.end; ++i) {
     ResolvedSphere& sphere = spheres_[i];
     if (first) sphere.velocity = sphere.angular_velocity = {};
-    sphere.velocity += (share * step_ / setup_.cell) * state.velocity(i);
+    sphere.velocity += (share * step_ / setup_.cell) * (state.velocity(i) - Vec3<double>{frame_[i], 0, 0});
     sphere.angular_velocity += share * step_ * state.angular_velocity(i);
   }
   member.barrier();

@@ -53,9 +53,9 @@ class ResolvedFlow {
   // All members of the team, once a step each.
   /// Measures the fluid in the particles' cells and says what it does to them.
   void prepare(Member& member, const ParticleState& state, const Box& box, FluidCoupling& coupling);
-  /// On one member, after particles have drifted for `step`: those that crossed the faces, with the velocities that
-  /// brought them there.
-  void count_carried(const ParticleState& state, const Box& box, bool first, double step);
+  /// On one member, after particles have drifted for `step`: counts what those carried that crossed the faces, with the
+  /// velocities that brought them there. After `prepare`, keeps to the frame in which the fluid met them.
+  void note_crossings(const ParticleState& state, const Box& box, bool first, double step, FluidCoupling& coupling);
   /// Takes the particles' new velocities, which they keep for this share of the step.
   void follow(Member& member, const ParticleState& state, bool first, double share);
   /// Moves the fluid on, with the particles at the means of these.
@@ -100,6 +100,7 @@ class ResolvedFlow {
   double step_, mass_unit_;  ///< of the program, per unit of the lattice
   ResolvedFluid fluid_;
   std::vector<ResolvedSphere> spheres_;
+  std::vector<double> frame_;  ///< what velocities of the particles along x have gained by crossing since `prepare`
   FluidEnergy look_;
   std::vector<FreeFluid> planes_;
   CarriedAcross carried_;

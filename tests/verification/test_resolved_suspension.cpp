@@ -242,8 +242,8 @@ TEST(ResolvedSuspension, SortedOrNotInTheMidstOfAStep) {
   for (std::size_t k = 0; k < sorted.size(); ++k) EXPECT_LT(norm(sorted[k] - unsorted[k]), 1e-7) << k;
 }
 
-/// Spheres that cross the sheared face in the midst of a step of the lattice, between two of their own, keep to the fluid
-/// that they met before: as the same spheres nine cells lower do, where no face is.
+/// Spheres that cross the sheared face in the midst of a step of the lattice, between two of their own, keep to the
+/// fluid that they met before: as the same spheres nine cells lower do, where no face is.
 TEST(ResolvedSuspension, CrossedOrNotInTheMidstOfAStep) {
   constexpr double up = 0.5;  // velocity of all
   const auto after_two_steps = [](double cells_lower) {

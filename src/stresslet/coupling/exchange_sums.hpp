@@ -6,6 +6,7 @@
 /// linear in the sphere's velocities: these sums let the particle update solve for them (theory: partially saturated
 /// cells). The sums are those of the sphere's own frame: u* of an image has the image's velocity jump taken off.
 #include <array>
+#include <vector>
 
 #include "stresslet/base/vec3.hpp"
 
@@ -33,7 +34,6 @@ template <class R>
 struct RunSums {
   R mass{}, along{}, along_along{};      ///< sum m, sum m x, sum m x x, with x of the arm
   Vec3<R> momentum{}, momentum_along{};  ///< sum m u*, sum m u* x
-  SymTensor3<R> kinetic{};
 
   [[gnu::always_inline]] void add(const R& m, const R& x, const Vec3<R>& u) {
     const R mx = m * x;
@@ -61,7 +61,22 @@ struct RunExchange {
     s.momentum_arm[0] += Vec3<double>{r.momentum_along.x, y * r.momentum.x, z * r.momentum.x};
     s.momentum_arm[1] += Vec3<double>{r.momentum_along.y, y * r.momentum.y, z * r.momentum.y};
     s.momentum_arm[2] += Vec3<double>{r.momentum_along.z, y * r.momentum.z, z * r.momentum.z};
-    s.kinetic += r.kinetic;
+  }
+};
+
+/// What all runs have, by slot (covered_runs.hpp).
+struct SlotSums {
+  std::vector<RunExchange> exchange;
+  std::vector<SymTensor3<double>> kinetic;  ///< empty where the operator has none
+
+  void resize(std::size_t slots, bool with_kinetic) {
+    exchange.resize(slots);
+    kinetic.resize(with_kinetic ? slots : 0);
+  }
+  void add_to(ExchangeSums& sum, std::size_t begin, std::size_t end) const {
+    for (std::size_t slot = begin; slot < end; ++slot) exchange[slot].add_to(sum);
+    if (!kinetic.empty())
+      for (std::size_t slot = begin; slot < end; ++slot) sum.kinetic += kinetic[slot];
   }
 };
 

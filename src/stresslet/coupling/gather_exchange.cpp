@@ -15,13 +15,13 @@ constexpr int width = int(pack_width);
 constexpr int line = cache_line / sizeof(double);
 constexpr std::size_t lines_ahead = 4;  // asked for before use
 
-RunSums<double> reduced(const RunSums<Pack>& s, bool kinetic) {
-  const auto sum = [](const Pack& p) { return stdx::reduce(p); };
-  const auto vector = [&](const Vec3<Pack>& v) { return Vec3<double>{sum(v.x), sum(v.y), sum(v.z)}; };
-  RunSums<double> r{sum(s.mass), sum(s.along), sum(s.along_along), vector(s.momentum), vector(s.momentum_along)};
-  const SymTensor3<Pack>& t = s.kinetic;
-  if (kinetic) r.kinetic = {sum(t.xx), sum(t.yy), sum(t.zz), sum(t.xy), sum(t.xz), sum(t.yz)};
-  return r;
+double total(const Pack& p) { return stdx::reduce(p); }
+Vec3<double> total(const Vec3<Pack>& v) { return {total(v.x), total(v.y), total(v.z)}; }
+SymTensor3<double> total(const SymTensor3<Pack>& t) {
+  return {total(t.xx), total(t.yy), total(t.zz), total(t.xy), total(t.xz), total(t.yz)};
+}
+RunSums<double> total(const RunSums<Pack>& s) {
+  return {total(s.mass), total(s.along), total(s.along_along), total(s.momentum), total(s.momentum_along)};
 }
 
 /// One row of a block: where it is covered, and what the fluid does there.
@@ -85,8 +85,6 @@ class GatherRow {
     const auto at = [&](std::size_t a) { return load(&stress_[a][std::size_t(x)]); };
     return {at(0), at(1), at(2), at(3), at(4), at(5)};
   }
-  double whole_of_cell(int x) const { return whole_[std::size_t(x)]; }
-  double density_of_cell(int x) const { return density_[std::size_t(x)]; }
 
  private:
   template <class Stencil>
@@ -116,6 +114,7 @@ class GatherRow {
 /// The friction of a run with those of later images in its row.
 void find_shared(const CoveredRuns& covered, const CoveredRun& run, const GatherRow& row,
                  std::vector<SharedRun>& shared) {
+  const Pack lanes([](auto k) { return double(k); });
   const double* own = covered.drag(run);
   const SphereImage& image = covered.images()[std::size_t(run.image)];
   const Vec3<double> arm{run.global[0] - image.centre.x, run.global[1] - image.centre.y,
@@ -123,20 +122,23 @@ void find_shared(const CoveredRuns& covered, const CoveredRun& run, const Gather
   for (std::size_t k = row.runs().begin; k < row.runs().end; ++k) {
     const CoveredRun& other = covered.runs()[k];
     if (other.image <= run.image) continue;
-    SharedRun found{run.slot, run.image, other.image};
     const int begin = std::max(run.x, other.x),
               end = std::min(run.x + run.packs * width, other.x + other.packs * width);
-    for (int x = begin; x < end; ++x) {
-      const double c = shared_cell_friction(row.density_of_cell(x), own[x - run.x], covered.drag(other)[x - other.x],
-                                            row.whole_of_cell(x));
-      found.coefficient += c;
-      found.coefficient_arm += c * (arm + Vec3<double>{double(x - run.x), 0, 0});
+    Pack sum = 0.0, along = 0.0;
+    for (int x = begin; x < end; x += width) {
+      const Pack c = shared_cell_friction(row.density(x), load(own + (x - run.x)),
+                                          load(covered.drag(other) + (x - other.x)), row.whole(x));
+      sum += c;
+      along += c * (lanes + double(x - run.x));
     }
-    if (found.coefficient > 0) shared.push_back(found);
+    const double coefficient = total(sum);
+    if (coefficient > 0)
+      shared.push_back(
+          {run.slot, run.image, other.image, coefficient, coefficient * arm + Vec3<double>{total(along), 0, 0}});
   }
 }
 
-void sum_runs(const CoveredRuns& covered, const GatherRow& row, const ExchangeFactors& factors, RunExchange* by_slot,
+void sum_runs(const CoveredRuns& covered, const GatherRow& row, const ExchangeFactors& factors, SlotSums& by_slot,
               std::vector<SharedRun>& shared) {
   const Pack lanes([](auto k) { return double(k); });
   const bool kinetic = factors.kinetic_stress != 0;
@@ -145,6 +147,7 @@ void sum_runs(const CoveredRuns& covered, const GatherRow& row, const ExchangeFa
     const SphereImage& image = covered.images()[std::size_t(run.image)];
     const double* drags = covered.drag(run);
     RunSums<Pack> sum{};
+    SymTensor3<Pack> stress{};
     bool alone = true;
     for (int p = 0; p < run.packs * width; p += width) {
       const int x = run.x + p;
@@ -154,10 +157,12 @@ void sum_runs(const CoveredRuns& covered, const GatherRow& row, const ExchangeFa
       const Vec3<Pack> velocity = row.velocity(x);
       sum.add(Pack(factors.exchange) * weight * row.density(x), Pack(run.global[0] + p - image.centre.x) + lanes,
               {velocity.x - Pack(image.velocity_jump), velocity.y, velocity.z});
-      if (kinetic) sum.kinetic += Pack(factors.kinetic_stress) * weight * row.stress(x);
+      if (kinetic) stress += Pack(factors.kinetic_stress) * weight * row.stress(x);
       alone = alone && stdx::all_of(whole == drag);
     }
-    by_slot[run.slot] = {reduced(sum, kinetic), run.global[1] - image.centre.y, run.global[2] - image.centre.z};
+    const std::size_t slot = std::size_t(run.slot);
+    by_slot.exchange[slot] = {total(sum), run.global[1] - image.centre.y, run.global[2] - image.centre.z};
+    if (kinetic) by_slot.kinetic[slot] = total(stress);
     if (!alone) find_shared(covered, run, row, shared);
   }
 }
@@ -166,7 +171,7 @@ void sum_runs(const CoveredRuns& covered, const GatherRow& row, const ExchangeFa
 
 template <class Stencil>
 void gather_exchange(const Lattice<Stencil, double>& lattice, int block, CoveredRuns& covered,
-                     const ExchangeFactors& factors, std::size_t first, std::size_t last, RunExchange* by_slot,
+                     const ExchangeFactors& factors, std::size_t first, std::size_t last, SlotSums& by_slot,
                      std::vector<SharedRun>& shared) {
   const Vec3<double>& force = lattice.input.force_density;
   const Vec3<Pack> half_force{Pack(0.5 * force.x), Pack(0.5 * force.y), Pack(0.5 * force.z)};
@@ -198,6 +203,6 @@ void gather_exchange(const Lattice<Stencil, double>& lattice, int block, Covered
 }
 
 template void gather_exchange<D3Q19>(const Lattice<D3Q19, double>&, int, CoveredRuns&, const ExchangeFactors&,
-                                     std::size_t, std::size_t, RunExchange*, std::vector<SharedRun>&);
+                                     std::size_t, std::size_t, SlotSums&, std::vector<SharedRun>&);
 
 }  // namespace stresslet

@@ -41,7 +41,7 @@ void ResolvedFluid::prepare(Member& member, const std::vector<ResolvedSphere>& s
   replace_populations(lattice_, boundaries_, member);
   covered_.place(member, spheres, lattice_.shear_offset, lattice_.shear_velocity);
   if (member.rank() == 0) {
-    by_slot_.resize(covered_.runs().size());
+    by_slot_.resize(covered_.runs().size(), factors_.kinetic_stress != 0);
     exchange_.resize(spheres.size());
     shared_.resize(std::size_t(member.size()));
   }
@@ -51,16 +51,17 @@ void ResolvedFluid::prepare(Member& member, const std::vector<ResolvedSphere>& s
   for (std::size_t b = 0; b < lattice_.blocks.size(); ++b) {
     const Range rows = member.share(lattice_.blocks[b].populations.layout().rows());
     if (rows.begin < rows.end)
-      gather_exchange<Stencil>(lattice_, int(b), covered_, factors_, rows.begin, rows.end, by_slot_.data(), shared);
+      gather_exchange<Stencil>(lattice_, int(b), covered_, factors_, rows.begin, rows.end, by_slot_, shared);
   }
   member.barrier();
   const Range mine = member.share(spheres.size());
   for (std::size_t k = mine.begin; k < mine.end; ++k) {
     ExchangeSums sum;
     const Range images = covered_.images_of_sphere(k);
-    for (std::size_t i = images.begin; i < images.end; ++i)
-      for (std::size_t slot = covered_.slots_of_image(i).begin; slot < covered_.slots_of_image(i).end; ++slot)
-        by_slot_[slot].add_to(sum);
+    for (std::size_t i = images.begin; i < images.end; ++i) {
+      const Range slots = covered_.slots_of_image(i);
+      by_slot_.add_to(sum, slots.begin, slots.end);
+    }
     exchange_[k] = sum;
   }
   if (member.rank() == 0) {
@@ -104,7 +105,7 @@ void ResolvedFluid::find_across() {
     const bool above = (image.velocity_jump > 0) == (lattice_.shear_velocity > 0);
     across_.push_back({image.sphere, above ? 1 : -1, {}});
     const Range slots = covered_.slots_of_image(i);
-    for (std::size_t slot = slots.begin; slot < slots.end; ++slot) by_slot_[slot].add_to(across_.back().sums);
+    by_slot_.add_to(across_.back().sums, slots.begin, slots.end);
   }
 }
 

@@ -75,7 +75,7 @@ class ResolvedFluid : private FluidOf<D3Q19, double> {
   RowEnergy<Stencil> row_energy_;
   CoveredRuns covered_;
   ExchangeFactors factors_;
-  std::vector<RunExchange> by_slot_;
+  SlotSums by_slot_;
   std::vector<ExchangeSums> exchange_;
   std::vector<std::vector<SharedRun>> shared_;  ///< by thread
   std::vector<PointFriction> friction_;

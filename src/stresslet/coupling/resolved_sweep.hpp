@@ -29,7 +29,7 @@ struct SharedRun {
 /// Sums of every run in the rows [first, last) of block `block`, by slot; `shared` takes those with friction.
 template <class Stencil>
 void gather_exchange(const Lattice<Stencil, double>& lattice, int block, CoveredRuns& covered,
-                     const ExchangeFactors& factors, std::size_t first, std::size_t last, RunExchange* by_slot,
+                     const ExchangeFactors& factors, std::size_t first, std::size_t last, SlotSums& by_slot,
                      std::vector<SharedRun>& shared);
 
 /// Steps the rows [first, last) of block `block`; `spheres` hold the velocities at which the solid moves.

@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "stresslet/base/error.hpp"
+#include "stresslet/io/number_text.hpp"
 
 namespace stresslet {
 namespace {
@@ -59,13 +60,6 @@ std::vector<std::string> path_segments(std::string_view path) {
       segments.back() += c;
   }
   return segments;
-}
-
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view blanks = " \t";
-  const std::size_t first = text.find_first_not_of(blanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
 /// The right-hand side of `--set key=value` as a document with the one key "value".

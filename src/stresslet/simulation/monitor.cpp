@@ -14,7 +14,7 @@ namespace stresslet {
 
 namespace {
 
-constexpr double window = 0.2;
+constexpr double monitor_window = 0.2;
 constexpr double largest_sphere_mach = 0.3;  // density changes with its square
 
 double mean_from(const std::vector<double>& values, std::size_t first) {
@@ -26,8 +26,8 @@ double mean_from(const std::vector<double>& values, std::size_t first) {
 void check_energy_balance(const Series& series, double tolerance) {
   constexpr std::size_t fewest_rows = 20;
   const double now = series["strain"].back();
-  if (now < window || series.size() < fewest_rows) return;
-  const std::size_t first = series.first_row_from(now - window);
+  if (now < monitor_window || series.size() < fewest_rows) return;
+  const std::size_t first = series.first_row_from(now - monitor_window);
   if (series.size() - first < fewest_rows) return;
   const double stress = mean_from(series["relative_viscosity"], first);
   const double dissipation = mean_from(series["relative_viscosity_from_dissipation"], first);
@@ -36,7 +36,7 @@ void check_energy_balance(const Series& series, double tolerance) {
       {"",
        fmt::format("stress power and dissipation part: relative viscosity {:.4g} from stress, {:.4g} from "
                    "dissipation, between strain {:.4g} and {:.4g}",
-                   stress, dissipation, now - window, now),
+                   stress, dissipation, now - monitor_window, now),
        "what the stress puts in must be dissipated or stored; a time step that is too long does not blow up but "
        "oscillates in the thin films and loses contacts, and then the viscosity is wrong too",
        "start a new run with a smaller time.step, or with time.scheme = \"semi-implicit\"; only where the mismatch is "

@@ -8,7 +8,7 @@ namespace stresslet {
 
 namespace {
 
-constexpr std::array<const char*, 4> names{"velocity_x", "velocity_y", "velocity_z", "pressure"};
+constexpr std::array<const char*, 4> plane_columns{"velocity_x", "velocity_y", "velocity_z", "pressure"};
 
 }  // namespace
 
@@ -31,7 +31,7 @@ void PlaneAverages::add(const FlowField& field, std::int64_t step) {
     cells = std::max(cells, 1.0);
     const double averages[4] = {velocity.x / (u.velocity * cells), velocity.y / (u.velocity * cells),
                                 velocity.z / (u.velocity * cells), density_deviation / (3 * u.pressure() * cells)};
-    for (std::size_t k = 0; k < names.size(); ++k) values_[k].push_back(averages[k]);
+    for (std::size_t k = 0; k < plane_columns.size(); ++k) values_[k].push_back(averages[k]);
   }
 }
 
@@ -43,8 +43,8 @@ std::vector<Profile> PlaneAverages::profiles() const {
   std::vector<Profile> all{
       {"position", "L", fmt::format("{} of the centres of the cells", axis), {planes}, std::move(position)},
       {"time", "L/U", "times of the averages", {time_.size()}, time_}};
-  for (std::size_t k = 0; k < names.size(); ++k)
-    all.push_back({names[k],
+  for (std::size_t k = 0; k < plane_columns.size(); ++k)
+    all.push_back({plane_columns[k],
                    k < 3 ? "U" : "rho*U^2",
                    fmt::format("average over the fluid of the planes across {}", axis),
                    {time_.size(), planes},
@@ -54,7 +54,7 @@ std::vector<Profile> PlaneAverages::profiles() const {
 
 void PlaneAverages::restore(const ResultsReader& reader) {
   time_ = reader.profile("time").values;
-  for (std::size_t k = 0; k < names.size(); ++k) values_[k] = reader.profile(names[k]).values;
+  for (std::size_t k = 0; k < plane_columns.size(); ++k) values_[k] = reader.profile(plane_columns[k]).values;
   if (plan_.profile_every > 0) return;
   // Start and end only: what was the end is none any more.
   time_.resize(1);

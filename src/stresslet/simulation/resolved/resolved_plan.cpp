@@ -117,11 +117,12 @@ std::string resolved_lines(const Case& c, const ResolvedSetup& s) {
   text += line("Mach number", fmt::format("{:.3g}", s.mach()), "of the mean flow at the faces");
   text += line("solid", s.coupling.coupling_operator,
                fmt::format("{}, weight {}", s.coupling.solid.fraction, s.coupling.solid.weight));
-  text += s.correction
-              ? line("correction", s.correction->law,
-                     fmt::format("normal {:.3g}, sliding {:.3g}, spin {:.3g} cells", s.correction->lengths.normal,
-                                 s.correction->lengths.sliding, s.correction->lengths.spin))
-              : line("correction", "none");
+  if (!s.correction) return text + line("correction", "none");
+  const auto lengths = [](const SubgridLengths& l) {
+    return fmt::format("normal {:.3g}, sliding {:.3g}, spin {:.3g} cells", l.normal, l.sliding, l.spin);
+  };
+  text += line("correction", s.correction->law, lengths(s.correction->lengths));
+  if (s.box == BoxKind::walls) text += line("at walls", s.correction->law, lengths(s.correction->lengths_at_walls()));
   return text;
 }
 

@@ -118,5 +118,20 @@ TEST(CommandLine, OverridesApplyInOrderAndCanRemoveKeys) {
   EXPECT_EQ(outcome.out.find("average_from = "), std::string::npos);
 }
 
+TEST(CommandLine, ValuesKeepACarriageReturn) {
+  const Workplace place;
+  const Outcome outcome = stresslet({"new", place / "case.toml"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const Outcome wrong = stresslet({"check", place / "case.toml", "--set", "run.strain=1\r"});
+  EXPECT_EQ(wrong.code, 2);
+  EXPECT_THAT(wrong.err, HasSubstr("run.strain must be a number"));
+}
+
+TEST(CommandLine, CalibrationOfWallsTakesNoOptionOfPairs) {
+  const Outcome outcome = stresslet({"calibrate", "--wall", "--gaps", "0.5"});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr("--wall"), HasSubstr("--gaps")));
+}
+
 }  // namespace
 }  // namespace stresslet

@@ -14,6 +14,7 @@ namespace stresslet {
 namespace {
 
 constexpr std::size_t most_parts_of_a_key = 8;
+constexpr std::string_view blanks = " \t";  // around the parts of an assignment
 
 std::string place(const std::string& name, const toml::source_position& position) {
   return position.line > 0 ? fmt::format("{}:{}", name, position.line) : name;
@@ -155,7 +156,7 @@ InputDocument InputDocument::from_file(const std::filesystem::path& path) {
 void InputDocument::override_key(std::string_view assignment) {
   const std::size_t equals = assignment.find('=');
   const std::string where = "--set " + shortened(std::string(assignment));
-  const std::vector<std::string> segments = path_segments(trimmed(assignment.substr(0, equals)));
+  const std::vector<std::string> segments = path_segments(trimmed(assignment.substr(0, equals), blanks));
   const bool complete = std::none_of(segments.begin(), segments.end(), [](const auto& s) { return s.empty(); });
   if (equals == std::string_view::npos || !complete)
     throw InputError({where, "this is no assignment", "an override names a key with its section and gives a value",
@@ -178,7 +179,7 @@ void InputDocument::override_key(std::string_view assignment) {
     key += key_segment(segment);
   }
   remove(key);
-  const std::string_view value = trimmed(assignment.substr(equals + 1));
+  const std::string_view value = trimmed(assignment.substr(equals + 1), blanks);
   if (value.empty()) {
     entries_[key] = Entry{{InputValue::Other{"nothing"}, where, {}}, Entry::Kind::removed, false, ++next_order_};
     return;

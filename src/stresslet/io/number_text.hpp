@@ -9,10 +9,11 @@
 
 namespace stresslet {
 
-inline std::string_view trimmed(std::string_view text) {
-  const auto begin = text.find_first_not_of(" \t\r");
+/// `blanks`: also the carriage return of lines that end as on Windows, unless told otherwise.
+inline std::string_view trimmed(std::string_view text, std::string_view blanks = " \t\r") {
+  const auto begin = text.find_first_not_of(blanks);
   if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(" \t\r") - begin + 1);
+  return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
 }
 
 /// Cuts the first line, without its end, off `rest`.

@@ -148,13 +148,14 @@ void add_calibrate(CLI::App& app, const std::string& command_line) {
                                        "times the mean diameter")
                           ->check(CLI::Range(16, 400));
   command->add_option("--threads", a->threads, "Threads")->check(CLI::Range(1, 1024))->capture_default_str();
-  command->add_flag("--wall", a->wall,
-                    "Films between a sphere and a half-way wall instead of pairs; --gaps, --random, --edge and "
-                    "--radius-ratio do not apply");
+  CLI::Option* wall =
+      command->add_flag("--wall", a->wall, "Films between a sphere and a half-way wall instead of pairs");
   command->add_flag("--quick", a->quick, "Three gaps and no random directions");
   command->add_flag("--quiet", a->quiet, "No progress line");
   command->add_option("--output", a->output, "JSON file with lengths, residual errors and all measured pairs")
       ->capture_default_str();
+  for (const char* of_pairs : {"--radius-ratio", "--gaps", "--random", "--edge", "--quick"})
+    wall->excludes(command->get_option(of_pairs));
   command->callback([a, edge] {
     if (edge->count() == 0) a->plan.edge = int(std::ceil(5 * a->plan.cells_across * 0.5 * (1 + a->plan.radius_ratio)));
     if (a->quick) {

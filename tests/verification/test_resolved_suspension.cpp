@@ -263,14 +263,14 @@ TEST(ResolvedSuspension, CrossedOrNotInTheMidstOfAStep) {
     // The velocities of the start are those that the fluid leaves: all up once more.
     std::vector<Vec3<double>> by_id(s.state.size());
     for (std::size_t k = 0; k < s.state.size(); ++k) s.state.uy[k] = up;
-    int below_middle = 0;
+    int crossed = 0;
     for (int n = 0; n < 2; ++n) step(s, team);
     for (std::size_t k = 0; k < s.state.size(); ++k) {
       const Vec3<double> u = s.state.velocity(k);
       by_id[std::size_t(s.state.id[k])] = {u.x - s.box.mean_flow(s.state.y[k]), u.y, u.z};
-      below_middle += s.state.y[k] < 0.1 * spacing;
+      crossed += s.state.y[k] < 0.1 * spacing;
     }
-    EXPECT_EQ(below_middle, cells_lower == 0 ? 4 : 0);
+    EXPECT_EQ(crossed, cells_lower == 0 ? 4 : 0);
     return by_id;
   };
   const auto crossed = after_two_steps(0), inside = after_two_steps(9);

@@ -1,11 +1,8 @@
 #include "validation/harness/wall_calibration.hpp"
 
-#include <cmath>
-#include <stdexcept>
-
 #include "stresslet/base/constants.hpp"
 #include "stresslet/coupling/calibration/calibrate.hpp"
-#include "stresslet/coupling/laws.hpp"
+#include "stresslet/coupling/subgrid/subgrid_links.hpp"
 #include "validation/harness/sphere_wall_exact.hpp"
 
 namespace stresslet::validation {
@@ -32,13 +29,11 @@ std::vector<WallMeasurement> measure_at_wall(Trial& trial, const ResolvedScheme&
 
 std::array<double, 3> corrected_errors(const WallMeasurement& m, const std::string& law, const SubgridLengths& lengths,
                                        const SubgridRange& range) {
-  PairResistance<double> film;
-  if (!SubgridLaws::dispatch(law, [&](auto l) {
-        film = subgrid_wall_resistance<typename decltype(l)::type>(m.radius, m.gap, lengths, range);
-      }))
-    throw std::invalid_argument("unknown sub-grid law " + law);
+  // Per unit viscosity; the wall lies along -y, sliding along x and turning about z.
+  const Matrix6 film = subgrid_wall_resistance_matrix(m.radius, {0, -1, 0}, m.gap, 1, {law, lengths, range, {}})
+                           .value_or(Matrix6::Zero());
   const double force = 6 * pi * m.radius, torque = 8 * pi * m.radius * m.radius * m.radius;
-  const std::array<double, 3> correction{film.X / force, film.Y / force, film.C / torque};
+  const std::array<double, 3> correction{film(1, 1) / force, film(0, 0) / force, film(5, 5) / torque};
   std::array<double, 3> errors;
   for (std::size_t k = 0; k < 3; ++k) errors[k] = (m.measured[k] + correction[k]) / m.exact[k] - 1;
   return errors;
@@ -48,12 +43,8 @@ SubgridLengths fit_wall_lengths(const std::vector<WallMeasurement>& measurements
                                 const SubgridRange& range) {
   SubgridLengths best;
   const auto fit = [&](double SubgridLengths::*length, std::size_t motion) {
-    best.*length = least_length([&](double value) {
-      SubgridLengths trial = best;
-      trial.*length = value;
-      double sum = 0;
-      for (const WallMeasurement& m : measurements) sum += std::pow(corrected_errors(m, law, trial, range)[motion], 4);
-      return sum;
+    fit_length(best, length, [&](const SubgridLengths& trial, const ErrorVisitor& visit) {
+      for (const WallMeasurement& m : measurements) visit(corrected_errors(m, law, trial, range)[motion]);
     });
   };
   fit(&SubgridLengths::normal, 0);

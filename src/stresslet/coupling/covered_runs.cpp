@@ -48,7 +48,7 @@ bool CoveredRuns::find_images(const std::vector<ResolvedSphere>& spheres, double
     append_images(grid_, spheres[k], std::int32_t(k), touch_radius_(spheres[k].radius), offset, velocity, images_);
     first_image_.push_back(images_.size());
   }
-  return !std::exchange(placed_, true) || images_ != images_before_;
+  return first_run_.empty() || images_ != images_before_;
 }
 
 void CoveredRuns::find_runs(Found& found, const Range& images) {

@@ -91,7 +91,7 @@ class CoveredRuns {
   std::array<std::vector<std::pair<int, int>>, 3>
       places_;  // per axis and cell: contribution to the block's number, place
   std::vector<SphereImage> images_, images_before_;
-  bool placed_ = false, moved_ = true;
+  bool moved_ = true;
   std::vector<std::size_t> first_image_, first_slot_;
   std::vector<std::uint32_t> first_run_;   ///< [row]
   std::vector<Found> found_;               ///< [member]

@@ -20,4 +20,11 @@ namespace stresslet {
 
 using LubricationLaws = TypeList<NoLubrication, NormalOnly, Complete, GrandResistance>;
 
+/// Of the law of this name.
+inline bool sees_background(std::string_view law) {
+  bool sees = false;
+  LubricationLaws::dispatch(law, [&](auto tag) { sees = decltype(tag)::type::sees_background; });
+  return sees;
+}
+
 }  // namespace stresslet

@@ -31,7 +31,7 @@ std::string model_lines(const Case& c, const Plan& p) {
   text += line("Stokes number", fmt::format("{:.4g}", c.stokes_number()), "rho d1^2 gdot / eta");
   text += line("lubrication", p.physics.lubrication_law,
                fmt::format("gaps {:.3g} to {:.3g} d_eff{}", p.physics.cutoffs.inner, p.physics.cutoffs.outer,
-                           p.resolved ? ", of the model beside" : ""));
+                           p.resolved ? "; here for virtual_films alone" : ""));
   text += line("Stokes drag, stresslet",
                fmt::format("{}, {}", p.physics.drag ? "yes" : "no", p.physics.stresslet ? "yes" : "no"));
   text += line("contact", contact.normal_law,

@@ -133,10 +133,7 @@ TwistVector synchronous_velocities(const Suspension& s) {
 
 Sample sample(const Suspension& s, ThreadTeam& team) {
   const TwistVector synchronous = synchronous_velocities(s);
-  StressModel model{s.physics.drag, s.physics.stresslet, false};
-  LubricationLaws::dispatch(s.physics.lubrication_law, [&](auto tag) {
-    model.lubrication_sees_background = decltype(tag)::type::sees_background;
-  });
+  const StressModel model{s.physics.drag, s.physics.stresslet, sees_background(s.physics.lubrication_law)};
   Sample result =
       measure(team, {s.box, s.state, synchronous, s.pairs, s.contacts, s.wall_contacts, s.lubrication, s.walls}, model);
   if (s.resolved) {

@@ -12,9 +12,7 @@ namespace {
 
 constexpr unsigned seed = 20180;
 
-}  // namespace
-
-/// A coarse scan, then golden sections around its best point.
+/// Least value of `f` on [0, 2]: a coarse scan, then golden sections around its best point.
 double least_length(const std::function<double(double)>& f) {
   constexpr double longest = 2, spacing = 0.02, golden = 0.6180339887498949;
   double best = 0;
@@ -26,6 +24,19 @@ double least_length(const std::function<double(double)>& f) {
     (f(a) < f(b) ? high : low) = f(a) < f(b) ? b : a;
   }
   return 0.5 * (low + high);
+}
+
+}  // namespace
+
+void fit_length(SubgridLengths& lengths, double SubgridLengths::*length,
+                const std::function<void(const SubgridLengths&, const ErrorVisitor&)>& visit_errors) {
+  lengths.*length = least_length([&](double value) {
+    SubgridLengths trial = lengths;
+    trial.*length = value;
+    double sum = 0;
+    visit_errors(trial, [&](double error) { sum += std::pow(error, 4); });
+    return sum;
+  });
 }
 
 std::vector<CalibrationPoint> calibration_points(const CalibrationPlan& plan) {
@@ -92,15 +103,11 @@ SubgridLengths fit_lengths(const std::vector<PairMeasurement>& measurements, con
                            const SubgridRange& range) {
   SubgridLengths best;
   const auto fit = [&](double SubgridLengths::*length, std::initializer_list<std::size_t> modes) {
-    best.*length = least_length([&](double value) {
-      SubgridLengths trial = best;
-      trial.*length = value;
-      double sum = 0;
+    fit_length(best, length, [&](const SubgridLengths& trial, const ErrorVisitor& visit) {
       for (const PairMeasurement& m : measurements) {
         const auto errors = corrected_errors(m, law, trial, range);
-        for (const std::size_t mode : modes) sum += std::pow(errors[mode], 4);
+        for (const std::size_t mode : modes) visit(errors[mode]);
       }
-      return sum;
     });
   };
   fit(&SubgridLengths::normal, {0});

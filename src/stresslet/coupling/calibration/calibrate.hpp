@@ -35,8 +35,11 @@ Eigen::Matrix4d corrected_resistance(const PairMeasurement& measurement, const s
 std::array<double, 4> corrected_errors(const PairMeasurement& measurement, const std::string& law,
                                        const SubgridLengths& lengths, const SubgridRange& range);
 
-/// The length in [0, 2] cells at which `f` is least, to 1e-5.
-double least_length(const std::function<double(double)>& f);
+/// Sets one of `lengths`, within [0, 2] cells and to 1e-5, to where the fourth powers of the errors that `visit_errors`
+/// passes on for given lengths add up to the least.
+using ErrorVisitor = std::function<void(double)>;
+void fit_length(SubgridLengths& lengths, double SubgridLengths::*length,
+                const std::function<void(const SubgridLengths&, const ErrorVisitor&)>& visit_errors);
 
 SubgridLengths fit_lengths(const std::vector<PairMeasurement>& measurements, const std::string& law,
                            const SubgridRange& range);

@@ -5,10 +5,7 @@
 namespace stresslet {
 
 StressParts virtual_film_stress(const Suspension& s, const TwistVector& velocity, ThreadTeam& team) {
-  StressModel model;
-  LubricationLaws::dispatch(s.physics.lubrication_law, [&](auto tag) {
-    model.lubrication_sees_background = decltype(tag)::type::sees_background;
-  });
+  const StressModel model{false, false, sees_background(s.physics.lubrication_law)};
   PairLubrication lubrication;
   lubrication.prepare(s.list.size());
   WallFilms walls;

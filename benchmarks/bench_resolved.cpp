@@ -95,7 +95,7 @@ class Resolved {
   }
 
   ThreadTeam team_;
-  ResolvedFluid fluid_;
+  ResolvedFluidOf<double> fluid_;
   std::vector<ResolvedSphere> spheres_;
   std::vector<SphereInertia> inertia_;
   SphereUpdate update_;

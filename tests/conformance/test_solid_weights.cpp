@@ -96,7 +96,7 @@ struct Shared {
   Vec3<double> friction(int k) const {
     Vec3<double> f{};
     for (int j = 0; j < solids; ++j)
-      f += shared_cell_friction(density, drag[k], drag[j], sum().drag) * (velocity[k] - velocity[j]);
+      f += shared_cell_friction(density, drag[k], share_of_weight(drag[j], sum().drag)) * (velocity[k] - velocity[j]);
     return f;
   }
   Vec3<double> given_by(int k) const {

@@ -67,7 +67,7 @@ TEST_P(EveryOperator, ConservesTheMomentumOfFluidAndSpheres) {
   CouplingOperators::dispatch(GetParam(), [&](auto law) {
     if (decltype(law)::type::largest_weight < 2) coupling.solid.weight = "linear";
   });
-  ResolvedFluid fluid(stirred_box(Closure::periodic), coupling);
+  ResolvedFluidOf<double> fluid(stirred_box(Closure::periodic), coupling);
   ThreadTeam team(1);
   Vec3<double> before{};
   bool first = true;
@@ -89,23 +89,72 @@ INSTANTIATE_TEST_SUITE_P(Coupling, EveryOperator, ::testing::ValuesIn(CouplingOp
                            return name;
                          });
 
-TEST(ResolvedFluid, SameBitsForAnyThreadsAndBlocks) {
-  std::vector<double> expected;
+/// Velocities of the free spheres, one after the other, over 9 steps in a sheared box.
+std::vector<double> velocities(bool single_precision, const Cells& blocks, int threads) {
+  FluidSetup setup = stirred_box(Closure::sheared);
+  setup.shear_velocity_lu = 0.03;
+  setup.grid.blocks = blocks;
+  setup.single_precision = single_precision;
+  const auto fluid = ResolvedFluid::make(setup, {});
+  ThreadTeam team(threads);
+  std::vector<double> found;
+  run(*fluid, team, 9, [&](ResolvedFluid&, const std::vector<ResolvedSphere>& free) {
+    for (const ResolvedSphere& s : free)
+      for (const Vec3<double>& v : {s.velocity, s.angular_velocity}) found.insert(found.end(), {v.x, v.y, v.z});
+  });
+  return found;
+}
+
+class ResolvedFluidInPrecision : public ::testing::TestWithParam<bool> {};
+
+TEST_P(ResolvedFluidInPrecision, SameBitsForAnyThreadsAndBlocks) {
+  const std::vector<double> expected = velocities(GetParam(), {1, 1, 1}, 1);
   for (const Cells& blocks : {Cells{1, 1, 1}, Cells{2, 1, 1}, Cells{2, 3, 2}})
-    for (const int threads : {1, 2, 3}) {
-      FluidSetup setup = stirred_box(Closure::sheared);
-      setup.shear_velocity_lu = 0.03;
-      setup.grid.blocks = blocks;
-      ResolvedFluid fluid(setup, {});
-      ThreadTeam team(threads);
-      std::vector<double> found;
-      run(fluid, team, 9, [&](ResolvedFluid&, const std::vector<ResolvedSphere>& free) {
-        for (const ResolvedSphere& s : free)
-          for (const Vec3<double>& v : {s.velocity, s.angular_velocity}) found.insert(found.end(), {v.x, v.y, v.z});
-      });
-      if (expected.empty()) expected = found;
-      EXPECT_EQ(found, expected) << blocks[0] << blocks[1] << blocks[2] << " blocks, " << threads << " threads";
-    }
+    for (const int threads : {1, 2, 3})
+      EXPECT_EQ(velocities(GetParam(), blocks, threads), expected)
+          << blocks[0] << blocks[1] << blocks[2] << " blocks, " << threads << " threads";
+}
+
+TEST_P(ResolvedFluidInPrecision, GoesOnWithTheSameBits) {
+  FluidSetup setup = stirred_box(Closure::periodic);
+  setup.single_precision = GetParam();
+  ThreadTeam team(2);
+  const auto first = ResolvedFluid::make(setup, {}), second = ResolvedFluid::make(setup, {});
+  run(*first, team, 5, [](auto&&...) {});
+  second->restore(team, first->populations(team), 5);
+  for (const auto& fluid : {first.get(), second.get()})
+    team.run([&](Member& member) {
+      fluid->prepare(member, spheres());
+      fluid->sweep(member, spheres());
+    });
+  EXPECT_EQ(first->populations(team), second->populations(team));
+}
+
+INSTANTIATE_TEST_SUITE_P(Precision, ResolvedFluidInPrecision, ::testing::Values(false, true),
+                         [](const auto& test) { return test.param ? "Single" : "Double"; });
+
+TEST(ResolvedFluid, SinglePrecisionFollowsDouble) {
+  const std::vector<double> fine = velocities(false, {1, 1, 1}, 1), coarse = velocities(true, {1, 1, 1}, 1);
+  ASSERT_EQ(fine.size(), coarse.size());
+  double largest = 0;
+  for (std::size_t k = 0; k < fine.size(); ++k) largest = std::max(largest, std::abs(coarse[k] - fine[k]));
+  // Velocities are some 1e-3: a few units of 1.2e-7 of them.
+  EXPECT_LT(largest, 3e-9);
+  EXPECT_GT(largest, 0);
+}
+
+TEST(ResolvedFluid, SinglePrecisionKeepsMomentumToItsRoundOff) {
+  FluidSetup setup = stirred_box(Closure::periodic);
+  setup.single_precision = true;
+  const auto fluid = ResolvedFluid::make(setup, {});
+  ThreadTeam team(1);
+  std::vector<Vec3<double>> momenta;
+  run(*fluid, team, 12, [&](ResolvedFluid& now, const std::vector<ResolvedSphere>& free) {
+    momenta.push_back(now.totals(team).momentum);
+    for (const ResolvedSphere& s : free) momenta.back() += 4.0 * std::pow(s.radius, 3) * s.velocity;
+  });
+  // Of some 10 in all.
+  EXPECT_LT(norm(momenta.back() - momenta.front()), 2e-6);
 }
 
 }  // namespace

@@ -11,24 +11,24 @@ namespace {
 using CellDrags = std::map<std::array<int, 3>, double>;
 
 /// Drags by global cell, of all runs.
-CellDrags drags(CoveredRuns& covered) {
+CellDrags drags(CoveredRuns<double>& covered) {
   covered.fill_drags({0, covered.runs().size()});
   CellDrags found;
   for (const CoveredRun& run : covered.runs())
-    for (int k = 0; k < run.packs * int(pack_width); ++k)
+    for (int k = 0; k < run.packs * CoveredRuns<double>::width; ++k)
       if (covered.drag(run)[k] > 0) found[{run.global[0] + k, run.global[1], run.global[2]}] += covered.drag(run)[k];
   return found;
 }
 
 class CoveredRunsOf : public ::testing::Test {
  protected:
-  CellDrags placed(CoveredRuns& covered, double x, double offset = 0) {
+  CellDrags placed(CoveredRuns<double>& covered, double x, double offset = 0) {
     const std::vector<ResolvedSphere> spheres{{{x, 9.3, 10.1}, 4.2, {}, {}}, {{12, 18.9, 4}, 3, {}, {}}};
     team_.run([&](Member& member) { covered.place(member, spheres, offset, 0.01); });
     return drags(covered);
   }
   CellDrags anew(double x, double offset = 0) {
-    CoveredRuns covered(grid(), {});
+    CoveredRuns<double> covered(grid(), {});
     return placed(covered, x, offset);
   }
   static Grid grid() {
@@ -41,7 +41,7 @@ class CoveredRunsOf : public ::testing::Test {
 };
 
 TEST_F(CoveredRunsOf, SpheresAtRestAndMovingAgain) {
-  CoveredRuns covered(grid(), {});
+  CoveredRuns<double> covered(grid(), {});
   const CellDrags here = placed(covered, 8.2);
   EXPECT_EQ(here, anew(8.2));
   EXPECT_EQ(placed(covered, 8.2), here);
@@ -52,7 +52,7 @@ TEST_F(CoveredRunsOf, SpheresAtRestAndMovingAgain) {
 }
 
 TEST_F(CoveredRunsOf, SpheresAtRestUnderAMovingImage) {
-  CoveredRuns covered(grid(), {});
+  CoveredRuns<double> covered(grid(), {});
   const CellDrags before = placed(covered, 8.2, 1.5), after = placed(covered, 8.2, 1.6);
   EXPECT_EQ(after, anew(8.2, 1.6));
   EXPECT_NE(after, before);

@@ -22,7 +22,7 @@ Push squeezing_force(double relaxation_time, double gap) {
   setup.collision = "TRT";
   setup.rates.relaxation_time = relaxation_time;
   setup.rates.magic_parameter = 1.0 / 12;
-  ResolvedFluid fluid(setup, {});
+  ResolvedFluidOf<double> fluid(setup, {});
   ThreadTeam team(1);
   fluid.initialise(team, [](const Cells&) { return CellState{}; });
   const double half = radius + gap / 2;

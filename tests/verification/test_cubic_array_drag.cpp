@@ -27,7 +27,7 @@ Array cubic_array(double relaxation_time, const Vec3<double>& centre, const Coup
   setup.collision = collision;
   setup.rates.relaxation_time = relaxation_time;
   setup.rates.magic_parameter = 1.0 / 12;
-  ResolvedFluid fluid(setup, coupling);
+  ResolvedFluidOf<double> fluid(setup, coupling);
   const double viscosity = kinematic_viscosity_lu(relaxation_time), volume = double(edge) * edge * edge;
   const double force = 1e-6 * viscosity;
   fluid.lattice().input.force_density = {force, 0, 0};

@@ -95,7 +95,7 @@ Path pushed(bool is_explicit, double lambda, double density_ratio) {
   setup.collision = "TRT";
   setup.rates.relaxation_time = tau;
   setup.rates.magic_parameter = 1.0 / 12;
-  ResolvedFluid fluid(setup, {"superposition", {"plane-cut", "linear", tau}});
+  ResolvedFluidOf<double> fluid(setup, {"superposition", {"plane-cut", "linear", tau}});
   ThreadTeam team(1);
   fluid.initialise(team, [](const Cells&) { return CellState{}; });
   const double mass = density_ratio * 4 * pi / 3 * std::pow(radius, 3);

@@ -36,7 +36,7 @@ void expect_balance(const std::string& collision, const std::string& coupling_op
   CouplingSetup coupling;
   coupling.coupling_operator = coupling_operator;
   coupling.solid.weight = weight;
-  ResolvedFluid fluid(setup, coupling);
+  ResolvedFluidOf<double> fluid(setup, coupling);
   ThreadTeam team(1);
   fluid.initialise(team, [](const Cells& c) {
     CellState s;

@@ -34,7 +34,7 @@ TEST(FreeFluid, IsCountedPlaneByPlaneInAnyNumberOfBlocks) {
     setup.grid.blocks = blocks;
     setup.collision = "TRT";
     setup.rates.relaxation_time = 1;
-    ResolvedFluid fluid(setup, {"superposition", {.fraction = "exact"}});
+    ResolvedFluidOf<double> fluid(setup, {"superposition", {.fraction = "exact"}});
     ThreadTeam team(1);
     fluid.initialise(team, [&](const Cells& c) {
       CellState s;

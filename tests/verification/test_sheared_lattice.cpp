@@ -29,7 +29,7 @@ Rheology sheared_lattice(double strain, const Vec3<double>& centre) {
   setup.rates.magic_parameter = 1.0 / 12;
   setup.shear_velocity_lu = shear_rate * edge;
   const double viscosity = kinematic_viscosity_lu(1.0);
-  ResolvedFluid fluid(setup, {});
+  ResolvedFluidOf<double> fluid(setup, {});
   const double middle = (edge - 1) / 2.0;
   ThreadTeam team(1);
   fluid.initialise(team, [&](const Cells& c) {

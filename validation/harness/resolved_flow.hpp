@@ -108,7 +108,7 @@ class ResolvedFlow {
   std::vector<ResolvedSphere> solids_;  ///< as the fluid meets them
   SphereUpdate update_;
   std::vector<HydrodynamicLoad> loads_;
-  ResolvedFluid fluid_;
+  ResolvedFluidOf<double> fluid_;
   std::optional<SubgridCorrection> films_;
   double spring_ = 0;
   int steps_ = 0;

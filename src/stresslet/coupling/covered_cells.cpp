@@ -6,21 +6,22 @@ namespace stresslet {
 
 namespace {
 
-double sum_of_drags(const Lattice<D3Q19, double>& lattice, const CoveredRuns& covered, const CoveredRun& run, int x) {
+double sum_of_drags(const Lattice<D3Q19, double>& lattice, const CoveredRuns<double>& covered, const CoveredRun& run,
+                    int x) {
   double sum = 0;
   const int ny = lattice.blocks[std::size_t(run.block)].populations.layout().size()[1];
   const Range row = covered.runs_of_row(run.block, std::size_t(run.y + ny * run.z));
   for (std::size_t k = row.begin; k < row.end; ++k) {
     const CoveredRun& other = covered.runs()[k];
     const int place = x - other.x;
-    if (place >= 0 && place < other.packs * int(pack_width)) sum += covered.drag(other)[place];
+    if (place >= 0 && place < other.packs * CoveredRuns<double>::width) sum += covered.drag(other)[place];
   }
   return sum;
 }
 
 }  // namespace
 
-void for_each_covered_cell(const Lattice<D3Q19, double>& lattice, const CoveredRuns& covered,
+void for_each_covered_cell(const Lattice<D3Q19, double>& lattice, const CoveredRuns<double>& covered,
                            const std::function<void(const ReportedCell&)>& visit) {
   for (const CoveredRun& run : covered.runs()) {
     const SphereImage& image = covered.images()[std::size_t(run.image)];

@@ -19,7 +19,7 @@ struct ReportedCell {
 
 /// After `fill_drags` of all runs, with the incoming populations as `gather_exchange` reads them; a cell comes once per
 /// image in it.
-void for_each_covered_cell(const Lattice<D3Q19, double>& lattice, const CoveredRuns& covered,
+void for_each_covered_cell(const Lattice<D3Q19, double>& lattice, const CoveredRuns<double>& covered,
                            const std::function<void(const ReportedCell&)>& visit);
 
 }  // namespace stresslet

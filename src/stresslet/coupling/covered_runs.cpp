@@ -10,9 +10,6 @@ namespace stresslet {
 
 namespace {
 
-constexpr int width = int(pack_width);
-static_assert(run_length % pack_width == 0);
-
 /// Block number along an axis, and coordinate within the block, of every cell of the domain.
 std::vector<std::pair<int, int>> places_along(const Grid& grid, const std::vector<BlockBox>& boxes, int axis) {
   const int step = axis == 0 ? 1 : axis == 1 ? grid.blocks[0] : grid.blocks[0] * grid.blocks[1];
@@ -26,7 +23,8 @@ std::vector<std::pair<int, int>> places_along(const Grid& grid, const std::vecto
 
 }  // namespace
 
-CoveredRuns::CoveredRuns(const Grid& grid, const SolidLaws& laws)
+template <class T>
+CoveredRuns<T>::CoveredRuns(const Grid& grid, const SolidLaws& laws)
     : grid_(grid), laws_(laws), boxes_(block_boxes(grid)), first_row_(1, 0) {
   for (int axis = 0; axis < 3; ++axis) places_[std::size_t(axis)] = places_along(grid, boxes_, axis);
   for (const BlockBox& box : boxes_)
@@ -35,12 +33,14 @@ CoveredRuns::CoveredRuns(const Grid& grid, const SolidLaws& laws)
     using Fraction = typename decltype(fraction)::type;
     touch_radius_ = Fraction::touch_radius;
     full_radius_ = Fraction::full_radius;
-    SolidWeights::dispatch(laws.weight,
-                           [&](auto weight) { fill_ = &CoveredRuns::fill<Fraction, typename decltype(weight)::type>; });
+    SolidWeights::dispatch(laws.weight, [&](auto weight) {
+      fill_ = &CoveredRuns::template fill<Fraction, typename decltype(weight)::type>;
+    });
   });
 }
 
-bool CoveredRuns::find_images(const std::vector<ResolvedSphere>& spheres, double offset, double velocity) {
+template <class T>
+bool CoveredRuns<T>::find_images(const std::vector<ResolvedSphere>& spheres, double offset, double velocity) {
   std::swap(images_, images_before_);
   images_.clear();
   first_image_.assign(1, 0);
@@ -51,7 +51,8 @@ bool CoveredRuns::find_images(const std::vector<ResolvedSphere>& spheres, double
   return first_run_.empty() || images_ != images_before_;
 }
 
-void CoveredRuns::find_runs(Found& found, const Range& images) {
+template <class T>
+void CoveredRuns<T>::find_runs(Found& found, const Range& images) {
   found.runs.clear();
   found.runs_in.assign(first_row_.back(), 0);
   found.packs_in.assign(first_row_.back(), 0);
@@ -92,7 +93,8 @@ void CoveredRuns::find_runs(Found& found, const Range& images) {
 }
 
 /// From the numbers of runs and packs to the places where each member's begin; members one after the other in a row.
-void CoveredRuns::divide_rows(std::size_t members) {
+template <class T>
+void CoveredRuns<T>::divide_rows(std::size_t members) {
   first_run_.resize(first_row_.back() + 1);
   std::uint32_t runs = 0, packs = 0;
   for (std::size_t row = 0; row < first_row_.back(); ++row) {
@@ -104,13 +106,14 @@ void CoveredRuns::divide_rows(std::size_t members) {
   }
   first_run_.back() = runs;
   runs_.resize(runs);
-  if (drag_.size() < packs * pack_width) drag_.resize(packs * pack_width * 5 / 4);
+  if (drag_.size() < packs * width) drag_.resize(packs * width * 5 / 4);
   found_before_.assign(1, 0);
   for (std::size_t m = 0; m < members; ++m) found_before_.push_back(found_before_.back() + found_[m].runs.size());
 }
 
 /// Runs of a row stay in the order of their slots.
-void CoveredRuns::sort_into_rows(Found& found, const Range& images, std::size_t first_slot) {
+template <class T>
+void CoveredRuns<T>::sort_into_rows(Found& found, const Range& images, std::size_t first_slot) {
   for (std::size_t k = images.begin; k < images.end; ++k) first_slot_[k + 1] += first_slot;
   for (CoveredRun& run : found.runs) {
     const std::size_t row = row_of(run);
@@ -121,8 +124,9 @@ void CoveredRuns::sort_into_rows(Found& found, const Range& images, std::size_t 
   }
 }
 
-void CoveredRuns::place(Member& member, const std::vector<ResolvedSphere>& spheres, double shear_offset,
-                        double shear_velocity) {
+template <class T>
+void CoveredRuns<T>::place(Member& member, const std::vector<ResolvedSphere>& spheres, double shear_offset,
+                           double shear_velocity) {
   const std::size_t rank = std::size_t(member.rank()), members = std::size_t(member.size());
   if (rank == 0) {
     moved_ = find_images(spheres, shear_offset, shear_velocity);
@@ -142,12 +146,14 @@ void CoveredRuns::place(Member& member, const std::vector<ResolvedSphere>& spher
   member.barrier();
 }
 
+template <class T>
 template <class Fraction, class Weight>
-void CoveredRuns::fill(const Range& runs) {
+void CoveredRuns<T>::fill(const Range& runs) {
   const Fraction fraction{};
   const Weight weight(laws_.relaxation_time);
-  const Pack lanes([](auto k) { return double(k); });
-  const Pack full = weight.drag(Pack(1.0));
+  using P = PackOf<T>;
+  const P lanes([](auto k) { return T(k); });
+  const P full = weight.drag(P(T(1)));
   for (std::size_t k = runs.begin; k < runs.end; ++k) {
     CoveredRun& run = runs_[k];
     if (run.filled) continue;
@@ -155,20 +161,23 @@ void CoveredRuns::fill(const Range& runs) {
     const SphereImage& image = images_[std::size_t(run.image)];
     for (int p = 0; p < run.packs; ++p) {
       const int x = run.global[0] + p * width;
-      Pack value = full;
+      P value = full;
       if (x < run.full.begin || x + width > run.full.end) {
-        const Vec3<Pack> offset{Pack(x - image.centre.x) + lanes, Pack(run.global[1] - image.centre.y),
-                                Pack(run.global[2] - image.centre.z)};
-        value = weight.drag(fraction.fraction(offset, Pack(image.radius)));
+        const Vec3<P> offset{P(T(x - image.centre.x)) + lanes, P(T(run.global[1] - image.centre.y)),
+                             P(T(run.global[2] - image.centre.z))};
+        value = weight.drag(fraction.fraction(offset, P(T(image.radius))));
       }
       // A pack may reach into the next run, or beyond the domain.
       if (x < run.cells.begin || x + width > run.cells.end) {
-        const Pack place = Pack(double(x)) + lanes;
-        stdx::where(place < double(run.cells.begin) || place >= double(run.cells.end), value) = 0.0;
+        const P place = P(T(x)) + lanes;
+        stdx::where(place < T(run.cells.begin) || place >= T(run.cells.end), value) = T(0);
       }
       store(drag(run) + p * width, value);
     }
   }
 }
+
+template class CoveredRuns<double>;
+template class CoveredRuns<float>;
 
 }  // namespace stresslet

@@ -39,8 +39,12 @@ struct SolidLaws {
   double relaxation_time = 1;
 };
 
+/// `T` of the drags: that of the lattice.
+template <class T>
 class CoveredRuns {
  public:
+  static constexpr int width = int(PackOf<T>::size());  ///< of packs
+
   CoveredRuns(const Grid& grid, const SolidLaws& laws);
 
   /// Finds all images and runs of `spheres`; keeps what it has where all stay as they were. All members of the team
@@ -61,8 +65,8 @@ class CoveredRuns {
     const std::size_t k = first_row_[std::size_t(block)] + row;
     return {first_run_[k], first_run_[k + 1]};
   }
-  double* drag(const CoveredRun& run) { return drag_.data() + std::size_t(run.first_pack) * pack_width; }
-  const double* drag(const CoveredRun& run) const { return drag_.data() + std::size_t(run.first_pack) * pack_width; }
+  T* drag(const CoveredRun& run) { return drag_.data() + std::size_t(run.first_pack) * width; }
+  const T* drag(const CoveredRun& run) const { return drag_.data() + std::size_t(run.first_pack) * width; }
 
  private:
   /// What a member found of its share of the images. Sorted into rows by counting, in two passes: how many runs and
@@ -97,7 +101,7 @@ class CoveredRuns {
   std::vector<Found> found_;               ///< [member]
   std::vector<std::size_t> found_before_;  ///< [member]: slots of the members before
   std::vector<CoveredRun> runs_;           ///< by row
-  AlignedVector<double> drag_;
+  AlignedVector<T> drag_;
   double (*touch_radius_)(double) = nullptr;
   double (*full_radius_)(double) = nullptr;
   void (CoveredRuns::*fill_)(const Range&) = nullptr;

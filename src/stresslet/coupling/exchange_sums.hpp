@@ -35,14 +35,22 @@ struct RunSums {
   R mass{}, along{}, along_along{};      ///< sum m, sum m x, sum m x x, with x of the arm
   Vec3<R> momentum{}, momentum_along{};  ///< sum m u*, sum m u* x
 
-  [[gnu::always_inline]] void add(const R& m, const R& x, const Vec3<R>& u) {
+  /// A cell with m and m u*, at `x`.
+  [[gnu::always_inline]] void add(const R& m, const Vec3<R>& mu, const R& x) {
     const R mx = m * x;
-    const Vec3<R> mu = m * u;
     mass += m;
     along += mx;
     along_along += mx * x;
     momentum += mu;
     momentum_along += x * mu;
+  }
+  /// To the frame that moves with `velocity` along x.
+  void change_frame(const R& velocity) {
+    momentum.x -= velocity * mass;
+    momentum_along.x -= velocity * along;
+  }
+  friend RunSums operator*(const R& factor, const RunSums& s) {
+    return {factor * s.mass, factor * s.along, factor * s.along_along, factor * s.momentum, factor * s.momentum_along};
   }
 };
 
@@ -72,6 +80,12 @@ struct SlotSums {
   void resize(std::size_t slots, bool with_kinetic) {
     exchange.resize(slots);
     kinetic.resize(with_kinetic ? slots : 0);
+  }
+  /// Asks for the line of a slot that will be written: neighbours in a row lie far apart.
+  void ask_for(std::size_t slot) const {
+    const char* const at = reinterpret_cast<const char*>(&exchange[slot]);
+    __builtin_prefetch(at, 1);
+    __builtin_prefetch(at + sizeof(RunExchange) - 1, 1);
   }
   void add_to(ExchangeSums& sum, std::size_t begin, std::size_t end) const {
     for (std::size_t slot = begin; slot < end; ++slot) exchange[slot].add_to(sum);

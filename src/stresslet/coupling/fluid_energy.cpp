@@ -16,7 +16,8 @@ struct CellSolids {
   double drag_square = 0;
 };
 
-std::vector<CellSolids> solids_of_row(int nx, int block, std::size_t row, const CoveredRuns& covered,
+template <class T>
+std::vector<CellSolids> solids_of_row(int nx, int block, std::size_t row, const CoveredRuns<T>& covered,
                                       const std::vector<ResolvedSphere>& spheres) {
   std::vector<CellSolids> cells{std::size_t(nx)};
   const Range runs = covered.runs_of_row(block, row);
@@ -24,7 +25,7 @@ std::vector<CellSolids> solids_of_row(int nx, int block, std::size_t row, const 
     const CoveredRun& run = covered.runs()[k];
     const SphereImage& image = covered.images()[std::size_t(run.image)];
     const ResolvedSphere& sphere = spheres[std::size_t(image.sphere)];
-    const double* drag = covered.drag(run);
+    const T* drag = covered.drag(run);
     for (int x = run.cells.begin; x < run.cells.end; ++x) {
       const int along = x - run.global[0];
       const Vec3<double> arm{x - image.centre.x, run.global[1] - image.centre.y, run.global[2] - image.centre.z};
@@ -51,8 +52,8 @@ double weighted_square(const CellPopulations<Stencil, double>& f, const Equilibr
   return sum;
 }
 
-template <class Stencil, class Collision, class Operator>
-FluidEnergy row_energy(const Lattice<Stencil, double>& lattice, int block, std::size_t row, const CoveredRuns& covered,
+template <class Stencil, class T, class Collision, class Operator>
+FluidEnergy row_energy(const Lattice<Stencil, T>& lattice, int block, std::size_t row, const CoveredRuns<T>& covered,
                        const std::vector<ResolvedSphere>& spheres, double shear_rate) {
   const auto& of_block = lattice.blocks[std::size_t(block)];
   const BlockLayout& layout = of_block.populations.layout();
@@ -106,17 +107,18 @@ void add_row(FluidEnergy& sum, const FluidEnergy& row) {
   sum.free += row.free;
 }
 
-template <class Stencil>
-RowEnergy<Stencil> row_energy_for(std::string_view collision, std::string_view coupling_operator) {
-  RowEnergy<Stencil> found = nullptr;
+template <class Stencil, class T>
+RowEnergy<Stencil, T> row_energy_for(std::string_view collision, std::string_view coupling_operator) {
+  RowEnergy<Stencil, T> found = nullptr;
   CollisionLaws::dispatch(collision, [&](auto c) {
     CouplingOperators::dispatch(coupling_operator, [&](auto o) {
-      found = row_energy<Stencil, typename decltype(c)::type, typename decltype(o)::type>;
+      found = row_energy<Stencil, T, typename decltype(c)::type, typename decltype(o)::type>;
     });
   });
   return found;
 }
 
-template RowEnergy<D3Q19> row_energy_for<D3Q19>(std::string_view, std::string_view);
+template RowEnergy<D3Q19, double> row_energy_for<D3Q19, double>(std::string_view, std::string_view);
+template RowEnergy<D3Q19, float> row_energy_for<D3Q19, float>(std::string_view, std::string_view);
 
 }  // namespace stresslet

@@ -44,13 +44,13 @@ struct FluidEnergy : DensityRange {
 };
 
 /// Of one row of cells, before it collides. `covered` holds the drags of the row's runs; `shear_rate` of the mean flow.
-template <class Stencil>
-using RowEnergy = FluidEnergy (*)(const Lattice<Stencil, double>& lattice, int block, std::size_t row,
-                                  const CoveredRuns& covered, const std::vector<ResolvedSphere>& spheres,
+template <class Stencil, class T>
+using RowEnergy = FluidEnergy (*)(const Lattice<Stencil, T>& lattice, int block, std::size_t row,
+                                  const CoveredRuns<T>& covered, const std::vector<ResolvedSphere>& spheres,
                                   double shear_rate);
 
-template <class Stencil>
-RowEnergy<Stencil> row_energy_for(std::string_view collision, std::string_view coupling_operator);
+template <class Stencil, class T>
+RowEnergy<Stencil, T> row_energy_for(std::string_view collision, std::string_view coupling_operator);
 
 /// Of row after row, in order.
 void add_row(FluidEnergy& sum, const FluidEnergy& row);

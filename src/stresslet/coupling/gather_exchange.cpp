@@ -11,36 +11,48 @@ namespace stresslet {
 
 namespace {
 
-constexpr int width = int(pack_width);
-constexpr int line = cache_line / sizeof(double);
 constexpr std::size_t lines_ahead = 4;  // asked for before use
 
-double total(const Pack& p) { return stdx::reduce(p); }
-Vec3<double> total(const Vec3<Pack>& v) { return {total(v.x), total(v.y), total(v.z)}; }
-SymTensor3<double> total(const SymTensor3<Pack>& t) {
+template <class P>
+double total(const P& p) {
+  return double(stdx::reduce(p));
+}
+template <class P>
+Vec3<double> total(const Vec3<P>& v) {
+  return {total(v.x), total(v.y), total(v.z)};
+}
+template <class P>
+SymTensor3<double> total(const SymTensor3<P>& t) {
   return {total(t.xx), total(t.yy), total(t.zz), total(t.xy), total(t.xz), total(t.yz)};
 }
-RunSums<double> total(const RunSums<Pack>& s) {
+template <class P>
+RunSums<double> total(const RunSums<P>& s) {
   return {total(s.mass), total(s.along), total(s.along_along), total(s.momentum), total(s.momentum_along)};
 }
 
-/// One row of a block: where it is covered, and what the fluid does there.
+/// One row of a block: where it is covered, and what a solid of drag 1 would take of the fluid there: with a the sum of
+/// all drags, density, momentum and stress over 1 + a/2 (shared_cells.hpp).
+template <class T>
 class GatherRow {
  public:
+  using P = PackOf<T>;
+  static constexpr int width = CoveredRuns<T>::width, line = cache_line / sizeof(T);
+  static_assert(run_length % width == 0);
+
   explicit GatherRow(int nx)
-      : covered_line_(std::size_t(nx / line + 1), 0), whole_(std::size_t(nx + line), 0.0), density_(whole_.size()) {
-    for (auto& component : velocity_) component.resize(whole_.size());
+      : covered_line_(std::size_t(nx / line + 1), 0), whole_(std::size_t(nx + line), T(0)), density_(whole_.size()) {
+    for (auto& component : momentum_) component.resize(whole_.size());
     for (auto& component : stress_) component.resize(whole_.size());
   }
 
   /// Finds the drags of `runs`, those of the row that begins at index `start`, and the lines that they touch.
-  void place(CoveredRuns& covered, const Range& runs, std::size_t start) {
+  void place(CoveredRuns<T>& covered, const Range& runs, std::size_t start) {
     runs_ = runs;
     start_ = std::ptrdiff_t(start);
     covered.fill_drags(runs);
     for (std::size_t k = runs.begin; k < runs.end; ++k) {
       const CoveredRun& run = covered.runs()[k];
-      const double* drag = covered.drag(run);
+      const T* drag = covered.drag(run);
       for (int p = 0; p < run.packs * width; p += width) {
         store(&whole_[std::size_t(run.x + p)], load(&whole_[std::size_t(run.x + p)]) + load(drag + p));
         covered_line_[std::size_t((run.x + p) / line)] = 1;
@@ -52,7 +64,7 @@ class GatherRow {
   }
   void clear() {
     for (const int x : lines_) {
-      std::fill_n(&whole_[std::size_t(x)], line, 0.0);
+      std::fill_n(&whole_[std::size_t(x)], line, T(0));
       covered_line_[std::size_t(x / line)] = 0;
     }
     lines_.clear();
@@ -60,8 +72,7 @@ class GatherRow {
 
   /// Reads the populations; meanwhile asks for those of lines further on, at last for the first ones of `next`.
   template <class Stencil>
-  void read(const Sources<Stencil, double>& sources, const Vec3<Pack>& half_force, bool kinetic,
-            const GatherRow& next) {
+  void read(const Sources<Stencil, T>& sources, const Vec3<P>& half_force, bool kinetic, const GatherRow& next) {
     for (std::size_t k = 0; k < lines_.size(); ++k) {
       const std::size_t ahead = k + lines_ahead;
       if (ahead < lines_.size())
@@ -69,125 +80,134 @@ class GatherRow {
       else if (ahead - lines_.size() < next.lines_.size())
         prefetch_line<Stencil>(sources, next.start_ + next.lines_[ahead - lines_.size()]);
       for (int x = lines_[k]; x < lines_[k] + line; x += width)
-        if (stdx::any_of(load(&whole_[std::size_t(x)]) > Pack(0.0)))
-          read_pack<Stencil>(sources, x, half_force, kinetic);
+        if (stdx::any_of(whole(x) > P(T(0)))) read_pack<Stencil>(sources, x, half_force, kinetic);
     }
   }
 
   const Range& runs() const { return runs_; }
-  Pack whole(int x) const { return load(&whole_[std::size_t(x)]); }
-  Pack density(int x) const { return load(&density_[std::size_t(x)]); }
-  Vec3<Pack> velocity(int x) const {
-    const auto at = [&](std::size_t a) { return load(&velocity_[a][std::size_t(x)]); };
+  P whole(int x) const { return load(&whole_[std::size_t(x)]); }
+  P density(int x) const { return load(&density_[std::size_t(x)]); }
+  Vec3<P> momentum(int x) const {
+    const auto at = [&](std::size_t a) { return load(&momentum_[a][std::size_t(x)]); };
     return {at(0), at(1), at(2)};
   }
-  SymTensor3<Pack> stress(int x) const {
+  SymTensor3<P> stress(int x) const {
     const auto at = [&](std::size_t a) { return load(&stress_[a][std::size_t(x)]); };
     return {at(0), at(1), at(2), at(3), at(4), at(5)};
   }
 
  private:
   template <class Stencil>
-  [[gnu::always_inline]] void read_pack(const Sources<Stencil, double>& sources, int x, const Vec3<Pack>& half_force,
+  [[gnu::always_inline]] void read_pack(const Sources<Stencil, T>& sources, int x, const Vec3<P>& half_force,
                                         bool kinetic) {
-    const PackInPlace<Stencil, double> f(sources, start_ + x);
-    const Moments<Pack> m = moments_of(f);
-    const Vec3<Pack> velocity = (m.momentum + half_force) / m.density();
-    const auto keep = [&](AlignedVector<double>& row, const Pack& value) { store(&row[std::size_t(x)], value); };
+    const PackInPlace<Stencil, T> f(sources, start_ + x);
+    const Moments<P> m = moments_of(f);
+    const P share = share_of_weight(P(T(1)), whole(x));
+    const Vec3<P> momentum = m.momentum + half_force;
+    const auto keep = [&](AlignedVector<T>& row, const P& value) { store(&row[std::size_t(x)], share * value); };
     keep(density_, m.density());
-    keep(velocity_[0], velocity.x), keep(velocity_[1], velocity.y), keep(velocity_[2], velocity.z);
+    keep(momentum_[0], momentum.x), keep(momentum_[1], momentum.y), keep(momentum_[2], momentum.z);
     if (!kinetic) return;
-    const SymTensor3<Pack> s = non_equilibrium_stress(f, velocity);
+    const SymTensor3<P> s = non_equilibrium_stress(f, momentum / m.density());
     keep(stress_[0], s.xx), keep(stress_[1], s.yy), keep(stress_[2], s.zz);
     keep(stress_[3], s.xy), keep(stress_[4], s.xz), keep(stress_[5], s.yz);
   }
 
   Range runs_{};
   std::ptrdiff_t start_ = 0;
-  std::vector<int> lines_;                         ///< x of the first cells of covered lines, ascending
-  std::vector<std::uint8_t> covered_line_;         ///< [x / line]
-  AlignedVector<double> whole_, density_;          ///< sum of all drags; density
-  std::array<AlignedVector<double>, 3> velocity_;  ///< u*
-  std::array<AlignedVector<double>, 6> stress_;    ///< Pi_neq
+  std::vector<int> lines_;                  ///< x of the first cells of covered lines, ascending
+  std::vector<std::uint8_t> covered_line_;  ///< [x / line]
+  AlignedVector<T> whole_;                  ///< sum of all drags
+  AlignedVector<T> density_;
+  std::array<AlignedVector<T>, 3> momentum_;
+  std::array<AlignedVector<T>, 6> stress_;  ///< Pi_neq
 };
 
-/// The friction of a run with those of later images in its row.
-void find_shared(const CoveredRuns& covered, const CoveredRun& run, const GatherRow& row,
-                 std::vector<SharedRun>& shared) {
-  const Pack lanes([](auto k) { return double(k); });
-  const double* own = covered.drag(run);
-  const SphereImage& image = covered.images()[std::size_t(run.image)];
-  const Vec3<double> arm{run.global[0] - image.centre.x, run.global[1] - image.centre.y,
-                         run.global[2] - image.centre.z};
-  for (std::size_t k = row.runs().begin; k < row.runs().end; ++k) {
-    const CoveredRun& other = covered.runs()[k];
-    if (other.image <= run.image) continue;
+/// The friction of run `k` with those of later images in its row, which come after it.
+template <class T>
+[[gnu::noinline]] void find_shared(const CoveredRuns<T>& covered, std::size_t k, const GatherRow<T>& row,
+                                   std::vector<SharedRun>& shared) {
+  using P = PackOf<T>;
+  constexpr int width = CoveredRuns<T>::width;
+  const P lanes([](auto lane) { return T(lane); });
+  const CoveredRun& run = covered.runs()[k];
+  const T* own = covered.drag(run);
+  for (std::size_t j = k + 1; j < row.runs().end; ++j) {
+    const CoveredRun& other = covered.runs()[j];
     const int begin = std::max(run.x, other.x),
               end = std::min(run.x + run.packs * width, other.x + other.packs * width);
-    Pack sum = 0.0, along = 0.0;
+    if (begin >= end || other.image == run.image) continue;
+    const T* of_other = covered.drag(other);
+    P sum = T(0), along = T(0);
     for (int x = begin; x < end; x += width) {
-      const Pack c = shared_cell_friction(row.density(x), load(own + (x - run.x)),
-                                          load(covered.drag(other) + (x - other.x)), row.whole(x));
+      const P c = shared_cell_friction(row.density(x), load(own + (x - run.x)), load(of_other + (x - other.x)));
       sum += c;
-      along += c * (lanes + double(x - run.x));
+      along += c * (lanes + P(T(x - run.x)));
     }
     const double coefficient = total(sum);
-    if (coefficient > 0)
-      shared.push_back(
-          {run.slot, run.image, other.image, coefficient, coefficient * arm + Vec3<double>{total(along), 0, 0}});
+    if (!(coefficient > 0)) continue;
+    const SphereImage& image = covered.images()[std::size_t(run.image)];
+    const Vec3<double> arm{run.global[0] - image.centre.x, run.global[1] - image.centre.y,
+                           run.global[2] - image.centre.z};
+    shared.push_back(
+        {run.slot, run.image, other.image, coefficient, coefficient * arm + Vec3<double>{total(along), 0, 0}});
   }
 }
 
-void sum_runs(const CoveredRuns& covered, const GatherRow& row, const ExchangeFactors& factors, SlotSums& by_slot,
+template <class T>
+void sum_runs(const CoveredRuns<T>& covered, const GatherRow<T>& row, const ExchangeFactors& factors, SlotSums& by_slot,
               std::vector<SharedRun>& shared) {
-  const Pack lanes([](auto k) { return double(k); });
+  using P = PackOf<T>;
+  constexpr int width = CoveredRuns<T>::width;
+  const P lanes([](auto k) { return T(k); });
   const bool kinetic = factors.kinetic_stress != 0;
   for (std::size_t k = row.runs().begin; k < row.runs().end; ++k) {
     const CoveredRun& run = covered.runs()[k];
     const SphereImage& image = covered.images()[std::size_t(run.image)];
-    const double* drags = covered.drag(run);
-    RunSums<Pack> sum{};
-    SymTensor3<Pack> stress{};
-    bool alone = true;
-    for (int p = 0; p < run.packs * width; p += width) {
+    const T* drags = covered.drag(run);
+    RunSums<P> sum{};
+    SymTensor3<P> stress{};
+    P of_others = T(0);
+    P along = P(T(run.global[0] - image.centre.x)) + lanes;
+    for (int p = 0; p < run.packs * width; p += width, along += P(T(width))) {
       const int x = run.x + p;
-      const Pack drag = load(drags + p), whole = row.whole(x);
-      if (stdx::none_of(drag > Pack(0.0))) continue;
-      const Pack weight = share_of_weight(drag, whole);
-      const Vec3<Pack> velocity = row.velocity(x);
-      sum.add(Pack(factors.exchange) * weight * row.density(x), Pack(run.global[0] + p - image.centre.x) + lanes,
-              {velocity.x - Pack(image.velocity_jump), velocity.y, velocity.z});
-      if (kinetic) stress += Pack(factors.kinetic_stress) * weight * row.stress(x);
-      alone = alone && stdx::all_of(whole == drag);
+      const P drag = load(drags + p);
+      sum.add(drag * row.density(x), drag * row.momentum(x), along);
+      if (kinetic) stress += drag * row.stress(x);
+      of_others += drag * (row.whole(x) - drag);
     }
     const std::size_t slot = std::size_t(run.slot);
-    by_slot.exchange[slot] = {total(sum), run.global[1] - image.centre.y, run.global[2] - image.centre.z};
-    if (kinetic) by_slot.kinetic[slot] = total(stress);
-    if (!alone) find_shared(covered, run, row, shared);
+    RunSums<double> exchange = factors.exchange * total(sum);
+    exchange.change_frame(image.velocity_jump);
+    by_slot.exchange[slot] = {exchange, run.global[1] - image.centre.y, run.global[2] - image.centre.z};
+    if (kinetic) by_slot.kinetic[slot] = factors.kinetic_stress * total(stress);
+    if (stdx::any_of(of_others > P(T(0)))) find_shared(covered, k, row, shared);
   }
 }
 
 }  // namespace
 
-template <class Stencil>
-void gather_exchange(const Lattice<Stencil, double>& lattice, int block, CoveredRuns& covered,
+template <class Stencil, class T>
+void gather_exchange(const Lattice<Stencil, T>& lattice, int block, CoveredRuns<T>& covered,
                      const ExchangeFactors& factors, std::size_t first, std::size_t last, SlotSums& by_slot,
                      std::vector<SharedRun>& shared) {
   const Vec3<double>& force = lattice.input.force_density;
-  const Vec3<Pack> half_force{Pack(0.5 * force.x), Pack(0.5 * force.y), Pack(0.5 * force.z)};
+  using P = PackOf<T>;
+  const Vec3<P> half_force{P(T(0.5 * force.x)), P(T(0.5 * force.y)), P(T(0.5 * force.z))};
   const auto& populations = lattice.blocks[std::size_t(block)].populations;
   const BlockLayout& layout = populations.layout();
   const std::size_t ny = std::size_t(layout.size()[1]);
-  const Sources<Stencil, double> sources = sources_of(populations, lattice.arrangement);
+  const Sources<Stencil, T> sources = sources_of(populations, lattice.arrangement);
 
   // The next row is placed before this one is read, so that its first lines can be asked for.
-  GatherRow row(layout.size()[0]), next(layout.size()[0]);
+  GatherRow<T> row(layout.size()[0]), next(layout.size()[0]);
   std::size_t at = first;
   const auto place_next = [&] {
     for (; at < last; ++at) {
       const Range runs = covered.runs_of_row(block, at);
       if (runs.begin == runs.end) continue;
       next.place(covered, runs, layout.index(0, int(at % ny), int(at / ny)));
+      for (std::size_t k = runs.begin; k < runs.end; ++k) by_slot.ask_for(std::size_t(covered.runs()[k].slot));
       ++at;
       return true;
     }
@@ -196,13 +216,15 @@ void gather_exchange(const Lattice<Stencil, double>& lattice, int block, Covered
   for (bool more = place_next(); more;) {
     std::swap(row, next);
     more = place_next();
-    row.read<Stencil>(sources, half_force, factors.kinetic_stress != 0, next);
+    row.template read<Stencil>(sources, half_force, factors.kinetic_stress != 0, next);
     sum_runs(covered, row, factors, by_slot, shared);
     row.clear();
   }
 }
 
-template void gather_exchange<D3Q19>(const Lattice<D3Q19, double>&, int, CoveredRuns&, const ExchangeFactors&,
-                                     std::size_t, std::size_t, SlotSums&, std::vector<SharedRun>&);
+template void gather_exchange(const Lattice<D3Q19, double>&, int, CoveredRuns<double>&, const ExchangeFactors&,
+                              std::size_t, std::size_t, SlotSums&, std::vector<SharedRun>&);
+template void gather_exchange(const Lattice<D3Q19, float>&, int, CoveredRuns<float>&, const ExchangeFactors&,
+                              std::size_t, std::size_t, SlotSums&, std::vector<SharedRun>&);
 
 }  // namespace stresslet

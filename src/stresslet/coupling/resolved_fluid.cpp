@@ -1,6 +1,7 @@
 #include "stresslet/coupling/resolved_fluid.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <tuple>
 
 #include "stresslet/coupling/laws.hpp"
@@ -23,12 +24,18 @@ double velocity_difference(const FluidSetup& setup) {
 
 }  // namespace
 
-ResolvedFluid::ResolvedFluid(const FluidSetup& setup, const CouplingSetup& coupling)
-    : FluidOf(with_force(setup)),
+std::unique_ptr<ResolvedFluid> ResolvedFluid::make(const FluidSetup& setup, const CouplingSetup& coupling) {
+  if (setup.single_precision) return std::make_unique<ResolvedFluidOf<float>>(setup, coupling);
+  return std::make_unique<ResolvedFluidOf<double>>(setup, coupling);
+}
+
+template <class T>
+ResolvedFluidOf<T>::ResolvedFluidOf(const FluidSetup& setup, const CouplingSetup& coupling)
+    : Base(with_force(setup)),
       velocity_difference_(velocity_difference(setup)),
-      resolved_sweep_(resolved_sweep_for<Stencil>(setup.collision, coupling.coupling_operator, false)),
-      forced_sweep_(resolved_sweep_for<Stencil>(setup.collision, coupling.coupling_operator, true)),
-      row_energy_(row_energy_for<Stencil>(setup.collision, coupling.coupling_operator)),
+      resolved_sweep_(resolved_sweep_for<Stencil, T>(setup.collision, coupling.coupling_operator, false)),
+      forced_sweep_(resolved_sweep_for<Stencil, T>(setup.collision, coupling.coupling_operator, true)),
+      row_energy_(row_energy_for<Stencil, T>(setup.collision, coupling.coupling_operator)),
       covered_(setup.grid, {coupling.solid.fraction, coupling.solid.weight, setup.rates.relaxation_time}) {
   CouplingOperators::dispatch(coupling.coupling_operator, [&](auto law) {
     using Law = typename decltype(law)::type;
@@ -36,7 +43,8 @@ ResolvedFluid::ResolvedFluid(const FluidSetup& setup, const CouplingSetup& coupl
   });
 }
 
-void ResolvedFluid::prepare(Member& member, const std::vector<ResolvedSphere>& spheres) {
+template <class T>
+void ResolvedFluidOf<T>::prepare(Member& member, const std::vector<ResolvedSphere>& spheres) {
   prepare_step(lattice_, boundaries_, member);
   replace_populations(lattice_, boundaries_, member);
   covered_.place(member, spheres, lattice_.shear_offset, lattice_.shear_velocity);
@@ -44,6 +52,7 @@ void ResolvedFluid::prepare(Member& member, const std::vector<ResolvedSphere>& s
     by_slot_.resize(covered_.runs().size(), factors_.kinetic_stress != 0);
     exchange_.resize(spheres.size());
     shared_.resize(std::size_t(member.size()));
+    friction_of_.resize(std::size_t(member.size()));
   }
   member.barrier();
   std::vector<SharedRun>& shared = shared_[std::size_t(member.rank())];
@@ -51,7 +60,7 @@ void ResolvedFluid::prepare(Member& member, const std::vector<ResolvedSphere>& s
   for (std::size_t b = 0; b < lattice_.blocks.size(); ++b) {
     const Range rows = member.share(lattice_.blocks[b].populations.layout().rows());
     if (rows.begin < rows.end)
-      gather_exchange<Stencil>(lattice_, int(b), covered_, factors_, rows.begin, rows.end, by_slot_, shared);
+      gather_exchange(lattice_, int(b), covered_, factors_, rows.begin, rows.end, by_slot_, shared);
   }
   member.barrier();
   const Range mine = member.share(spheres.size());
@@ -64,21 +73,30 @@ void ResolvedFluid::prepare(Member& member, const std::vector<ResolvedSphere>& s
     }
     exchange_[k] = sum;
   }
+  find_friction(member);
+  member.barrier();
   if (member.rank() == 0) {
-    find_friction();
+    friction_.clear();
+    for (const auto& of_member : friction_of_) friction_.insert(friction_.end(), of_member.begin(), of_member.end());
     find_across();
   }
   member.barrier();
 }
 
 /// Summed in the order of slots, whatever the division of the work.
-void ResolvedFluid::find_friction() {
+template <class T>
+void ResolvedFluidOf<T>::find_friction(Member& member) {
+  const Range mine = member.share(covered_.images().size());
   std::vector<SharedRun> all;
-  for (const auto& of_thread : shared_) all.insert(all.end(), of_thread.begin(), of_thread.end());
+  for (const auto& of_thread : shared_)
+    std::copy_if(of_thread.begin(), of_thread.end(), std::back_inserter(all), [&](const SharedRun& run) {
+      return std::size_t(run.first) >= mine.begin && std::size_t(run.first) < mine.end;
+    });
   std::sort(all.begin(), all.end(), [](const SharedRun& a, const SharedRun& b) {
     return std::tie(a.first, a.second, a.slot) < std::tie(b.first, b.second, b.slot);
   });
-  friction_.clear();
+  std::vector<PointFriction>& found = friction_of_[std::size_t(member.rank())];
+  found.clear();
   for (auto group = all.begin(); group != all.end();) {
     SharedRun sum{0, group->first, group->second};
     for (; group != all.end() && group->first == sum.first && group->second == sum.second; ++group) {
@@ -88,16 +106,17 @@ void ResolvedFluid::find_friction() {
     const SphereImage &first = covered_.images()[std::size_t(sum.first)],
                       &second = covered_.images()[std::size_t(sum.second)];
     const Vec3<double> arm = sum.coefficient_arm / sum.coefficient;
-    friction_.push_back({first.sphere,
-                         second.sphere,
-                         sum.coefficient,
-                         arm,
-                         arm + first.centre - second.centre,
-                         {second.velocity_jump - first.velocity_jump, 0, 0}});
+    found.push_back({first.sphere,
+                     second.sphere,
+                     sum.coefficient,
+                     arm,
+                     arm + first.centre - second.centre,
+                     {second.velocity_jump - first.velocity_jump, 0, 0}});
   }
 }
 
-void ResolvedFluid::find_across() {
+template <class T>
+void ResolvedFluidOf<T>::find_across() {
   across_.clear();
   for (std::size_t i = 0; i < covered_.images().size(); ++i) {
     const SphereImage& image = covered_.images()[i];
@@ -109,7 +128,8 @@ void ResolvedFluid::find_across() {
   }
 }
 
-void ResolvedFluid::sweep(Member& member, const std::vector<ResolvedSphere>& spheres) {
+template <class T>
+void ResolvedFluidOf<T>::sweep(Member& member, const std::vector<ResolvedSphere>& spheres) {
   const auto kernel = lattice_.input.force_density == Vec3<double>{} ? resolved_sweep_ : forced_sweep_;
   for (std::size_t b = 0; b < lattice_.blocks.size(); ++b) {
     const Range rows = member.share(lattice_.blocks[b].populations.layout().rows());
@@ -118,14 +138,16 @@ void ResolvedFluid::sweep(Member& member, const std::vector<ResolvedSphere>& sph
   finish_step(lattice_, boundaries_, member);
 }
 
-double ResolvedFluid::momentum_across(ThreadTeam& team, const std::vector<ResolvedSphere>& spheres) {
-  FluidOf::prepare(team);
+template <class T>
+double ResolvedFluidOf<T>::momentum_across(ThreadTeam& team, const std::vector<ResolvedSphere>& spheres) {
+  Base::prepare(team);
   if (lattice_.grid.closure[1] == Closure::open) return wall_momentum_upwards(lattice_, velocity_difference_);
   return fluid_momentum_across(lattice_) + solid_momentum_across(across_, spheres);
 }
 
-FluidEnergy ResolvedFluid::energy(ThreadTeam& team, const std::vector<ResolvedSphere>& spheres,
-                                  std::vector<FreeFluid>& free) {
+template <class T>
+FluidEnergy ResolvedFluidOf<T>::energy(ThreadTeam& team, const std::vector<ResolvedSphere>& spheres,
+                                       std::vector<FreeFluid>& free) {
   std::vector<FluidEnergy> by_row;
   std::vector<std::size_t> first_row(1, 0);
   for (const auto& block : lattice_.blocks) first_row.push_back(first_row.back() + block.populations.layout().rows());
@@ -152,5 +174,8 @@ FluidEnergy ResolvedFluid::energy(ThreadTeam& team, const std::vector<ResolvedSp
   }
   return sum;
 }
+
+template class ResolvedFluidOf<double>;
+template class ResolvedFluidOf<float>;
 
 }  // namespace stresslet

@@ -9,6 +9,7 @@
 /// The momentum that the spheres take from the fluid in a step is load_on_sphere of `exchange(k)` with the velocities
 /// of the sweep, to round-off the opposite of what the fluid is given; spheres that share cells besides rub against
 /// each other (`friction`).
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -29,56 +30,93 @@ struct CouplingSetup {
   SolidLaws solid;  ///< its relaxation time is that of the fluid
 };
 
-class ResolvedFluid : private FluidOf<D3Q19, double> {
+class ResolvedFluid {
  public:
-  using Stencil = D3Q19;
+  /// `setup` as for Fluid, D3Q19; a body force takes Guo's form.
+  static std::unique_ptr<ResolvedFluid> make(const FluidSetup& setup, const CouplingSetup& coupling);
+  virtual ~ResolvedFluid() = default;
 
-  /// `setup` as for Fluid, D3Q19 in double precision; a body force takes Guo's form.
-  ResolvedFluid(const FluidSetup& setup, const CouplingSetup& coupling);
-
-  Lattice<Stencil, double>& lattice() { return lattice_; }
-
-  using FluidOf::bytes;
-  using FluidOf::initialise;
-  using FluidOf::measure;
-  using FluidOf::populations;
-  using FluidOf::restore;
-  using FluidOf::set_shear_offset;
-  using FluidOf::totals;
+  virtual std::size_t bytes() const = 0;
+  virtual void initialise(ThreadTeam& team, const std::function<CellState(const Cells&)>& state) = 0;
+  virtual Fluid::Totals totals(ThreadTeam& team) = 0;
+  virtual std::vector<double> populations(ThreadTeam& team) = 0;
+  virtual void restore(ThreadTeam& team, const std::vector<double>& populations, std::int64_t steps) = 0;
+  virtual void set_shear_offset(double offset_lu) = 0;
+  /// As the image above is displaced at the present time, after a step.
+  virtual void follow_shear(double offset_lu) = 0;
 
   // All members of the team call these, in this order, once a step.
-  void prepare(Member& member, const std::vector<ResolvedSphere>& spheres);
-  void sweep(Member& member, const std::vector<ResolvedSphere>& spheres);
+  virtual void prepare(Member& member, const std::vector<ResolvedSphere>& spheres) = 0;
+  virtual void sweep(Member& member, const std::vector<ResolvedSphere>& spheres) = 0;
 
   /// After `prepare`: the sums over the cells of sphere `k`.
   const ExchangeSums& exchange(std::size_t k) const { return exchange_[k]; }
   /// After `prepare`: friction of spheres that share cells, one entry per pair of images, lumped at its centroid.
   const std::vector<PointFriction>& friction() const { return friction_; }
 
-  /// After `prepare`: which cells the spheres cover.
-  const CoveredRuns& covered() const { return covered_; }
-
   /// Between steps: the energy of the fluid with `spheres` where the next step will have them. What `covered` says is
   /// then of these. `free`: of every plane of cells across y, from below.
-  FluidEnergy energy(ThreadTeam& team, const std::vector<ResolvedSphere>& spheres, std::vector<FreeFluid>& free);
+  virtual FluidEnergy energy(ThreadTeam& team, const std::vector<ResolvedSphere>& spheres,
+                             std::vector<FreeFluid>& free) = 0;
 
   /// Between steps: momentum along x that fluid and solid, with the velocities of the last sweep, carried up through
   /// the sheared plane in the last step; between walls, what these passed on.
-  double momentum_across(ThreadTeam& team, const std::vector<ResolvedSphere>& spheres);
+  virtual double momentum_across(ThreadTeam& team, const std::vector<ResolvedSphere>& spheres) = 0;
+
+ protected:
+  std::vector<ExchangeSums> exchange_;
+  std::vector<PointFriction> friction_;
+};
+
+/// Of one precision `T` of populations, solid drags and arithmetic in cells. Sums over spheres are taken in double
+/// precision from runs of cells on; with single precision the momentum that fluid and spheres exchange balances to its
+/// round-off, some 1e-7.
+template <class T>
+class ResolvedFluidOf final : public ResolvedFluid, private FluidOf<D3Q19, T> {
+ public:
+  using Stencil = D3Q19;
+  using Base = FluidOf<Stencil, T>;
+
+  ResolvedFluidOf(const FluidSetup& setup, const CouplingSetup& coupling);
+
+  Lattice<Stencil, T>& lattice() { return lattice_; }
+  /// After `prepare`, which cells the spheres cover.
+  const CoveredRuns<T>& covered() const { return covered_; }
+
+  using Base::measure;
+  std::size_t bytes() const override { return Base::bytes(); }
+  void initialise(ThreadTeam& team, const std::function<CellState(const Cells&)>& state) override {
+    Base::initialise(team, state);
+  }
+  Fluid::Totals totals(ThreadTeam& team) override { return Base::totals(team); }
+  std::vector<double> populations(ThreadTeam& team) override { return Base::populations(team); }
+  void restore(ThreadTeam& team, const std::vector<double>& all, std::int64_t steps) override {
+    Base::restore(team, all, steps);
+  }
+  void set_shear_offset(double offset_lu) override { Base::set_shear_offset(offset_lu); }
+  void follow_shear(double offset_lu) override { lattice_.shear_offset = offset_lu; }
+
+  void prepare(Member& member, const std::vector<ResolvedSphere>& spheres) override;
+  void sweep(Member& member, const std::vector<ResolvedSphere>& spheres) override;
+  FluidEnergy energy(ThreadTeam& team, const std::vector<ResolvedSphere>& spheres,
+                     std::vector<FreeFluid>& free) override;
+  double momentum_across(ThreadTeam& team, const std::vector<ResolvedSphere>& spheres) override;
 
  private:
-  void find_friction();
+  using Base::boundaries_;
+  using Base::lattice_;
+
+  void find_friction(Member& member);
   void find_across();
 
   double velocity_difference_;  ///< across y: of the image above, or of the walls
-  ResolvedSweep<Stencil> resolved_sweep_, forced_sweep_;
-  RowEnergy<Stencil> row_energy_;
-  CoveredRuns covered_;
+  ResolvedSweep<Stencil, T> resolved_sweep_, forced_sweep_;
+  RowEnergy<Stencil, T> row_energy_;
+  CoveredRuns<T> covered_;
   ExchangeFactors factors_;
   SlotSums by_slot_;
-  std::vector<ExchangeSums> exchange_;
-  std::vector<std::vector<SharedRun>> shared_;  ///< by thread
-  std::vector<PointFriction> friction_;
+  std::vector<std::vector<SharedRun>> shared_;           ///< by thread
+  std::vector<std::vector<PointFriction>> friction_of_;  ///< by thread, each of its share of the images
   std::vector<ExchangeAcross> across_;
 };
 

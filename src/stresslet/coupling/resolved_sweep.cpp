@@ -11,59 +11,62 @@ namespace stresslet {
 
 namespace {
 
-constexpr int width = int(pack_width);
-
 /// The solid along one row, zero where there is none: sums over the images of alpha and of alpha us (shared_cells.hpp).
+template <class T>
 class SolidRow {
  public:
+  using P = PackOf<T>;
+  static constexpr int width = CoveredRuns<T>::width;
+
   explicit SolidRow(int nx) {
-    for (auto& sum : sums_) sum.assign(std::size_t(nx + width), 0.0);
+    for (auto& sum : sums_) sum.assign(std::size_t(nx + width), T(0));
   }
 
-  void add(const CoveredRun& run, const double* drags, const SphereImage& image, const ResolvedSphere& sphere) {
-    const Pack lanes([](auto k) { return double(k); });
+  void add(const CoveredRun& run, const T* drags, const SphereImage& image, const ResolvedSphere& sphere) {
+    const P lanes([](auto k) { return T(k); });
     const Vec3<double> arm{run.global[0] - image.centre.x, run.global[1] - image.centre.y,
                            run.global[2] - image.centre.z};
     // Along the row w x r changes with x alone: by (0, w_z, -w_y) a cell.
     const Vec3<double>& w = sphere.angular_velocity;
     const Vec3<double> first = rigid_velocity(sphere.velocity, w, arm);
-    const Pack velocity_x = first.x + image.velocity_jump;
+    const P velocity_x(T(first.x + image.velocity_jump));
     for (int p = 0; p < run.packs * width; p += width) {
-      const Pack drag = load(drags + p), along = lanes + Pack(double(p));
+      const P drag = load(drags + p), along = lanes + P(T(p));
       const std::size_t x = std::size_t(run.x + p);
       add_to(0, x, drag);
       add_to(1, x, drag * velocity_x);
-      add_to(2, x, drag * (Pack(first.y) + Pack(w.z) * along));
-      add_to(3, x, drag * (Pack(first.z) - Pack(w.y) * along));
+      add_to(2, x, drag * (P(T(first.y)) + P(T(w.z)) * along));
+      add_to(3, x, drag * (P(T(first.z)) - P(T(w.y)) * along));
     }
   }
   void clear(const CoveredRun& run) {
     for (int p = 0; p < run.packs * width; p += width)
-      for (auto& sum : sums_) store(&sum[std::size_t(run.x + p)], Pack(0.0));
+      for (auto& sum : sums_) store(&sum[std::size_t(run.x + p)], P(T(0)));
   }
   [[gnu::always_inline]] bool is_covered(int x) const {
-    return stdx::any_of(load(&sums_[0][std::size_t(x)]) > Pack(0.0));
+    return stdx::any_of(load(&sums_[0][std::size_t(x)]) > P(T(0)));
   }
-  [[gnu::always_inline]] CoveredCell<Pack> cell(int x) const {
+  [[gnu::always_inline]] CoveredCell<P> cell(int x) const {
     const auto at = [&](std::size_t k) { return load(&sums_[k][std::size_t(x)]); };
-    return covered_cell(SharedDrag<Pack>{at(0), {at(1), at(2), at(3)}});
+    return covered_cell(SharedDrag<P>{at(0), {at(1), at(2), at(3)}});
   }
 
  private:
-  [[gnu::always_inline]] void add_to(std::size_t k, std::size_t x, const Pack& value) {
+  [[gnu::always_inline]] void add_to(std::size_t k, std::size_t x, const P& value) {
     store(&sums_[k][x], load(&sums_[k][x]) + value);
   }
-  std::array<AlignedVector<double>, 4> sums_;
+  std::array<AlignedVector<T>, 4> sums_;
 };
 
-template <class Stencil, class Collision, class Forcing, class Operator>
-void resolved_sweep(const Lattice<Stencil, double>& lattice, int block, const CoveredRuns& covered,
+template <class Stencil, class T, class Collision, class Forcing, class Operator>
+void resolved_sweep(const Lattice<Stencil, T>& lattice, int block, const CoveredRuns<T>& covered,
                     const std::vector<ResolvedSphere>& spheres, std::size_t first, std::size_t last) {
   const auto& populations = lattice.blocks[std::size_t(block)].populations;
   const BlockLayout& layout = populations.layout();
   const int nx = layout.size()[0], ny = layout.size()[1];
-  SolidRow solid(nx);
-  RowSweep<Stencil, double, Collision, Forcing> fluid(populations, lattice.arrangement, lattice.input);
+  constexpr int width = CoveredRuns<T>::width;
+  SolidRow<T> solid(nx);
+  RowSweep<Stencil, T, Collision, Forcing> fluid(populations, lattice.arrangement, lattice.input);
   for (std::size_t row = first; row < last; ++row) {
     const Range runs = covered.runs_of_row(block, row);
     for (std::size_t k = runs.begin; k < runs.end; ++k) {
@@ -88,20 +91,22 @@ void resolved_sweep(const Lattice<Stencil, double>& lattice, int block, const Co
 
 }  // namespace
 
-template <class Stencil>
-ResolvedSweep<Stencil> resolved_sweep_for(std::string_view collision, std::string_view coupling_operator, bool forced) {
-  ResolvedSweep<Stencil> found = nullptr;
+template <class Stencil, class T>
+ResolvedSweep<Stencil, T> resolved_sweep_for(std::string_view collision, std::string_view coupling_operator,
+                                             bool forced) {
+  ResolvedSweep<Stencil, T> found = nullptr;
   CollisionLaws::dispatch(collision, [&](auto c) {
     CouplingOperators::dispatch(coupling_operator, [&](auto o) {
       using Collision = typename decltype(c)::type;
       using Operator = typename decltype(o)::type;
-      found = forced ? resolved_sweep<Stencil, Collision, Guo, Operator>
-                     : resolved_sweep<Stencil, Collision, NoForce, Operator>;
+      found = forced ? resolved_sweep<Stencil, T, Collision, Guo, Operator>
+                     : resolved_sweep<Stencil, T, Collision, NoForce, Operator>;
     });
   });
   return found;
 }
 
-template ResolvedSweep<D3Q19> resolved_sweep_for<D3Q19>(std::string_view, std::string_view, bool);
+template ResolvedSweep<D3Q19, double> resolved_sweep_for<D3Q19, double>(std::string_view, std::string_view, bool);
+template ResolvedSweep<D3Q19, float> resolved_sweep_for<D3Q19, float>(std::string_view, std::string_view, bool);
 
 }  // namespace stresslet

@@ -2,7 +2,7 @@
 /// The two kernels of the resolved fluid.
 ///
 /// `gather_exchange` finds the solid drags and reads the incoming populations of the covered cells before they collide:
-/// 152 bytes per covered cell in double precision, in runs along x, in the order of the lattice's memory.
+/// 152 bytes per covered cell in double precision, 76 in single, in runs along x, in the order of the lattice's memory.
 /// `resolved_sweep` is the kernel of lattice/sweep.hpp with the coupling operator in the covered packs of a row, which
 /// it finds in a buffer of the row; the other packs are those of the plain fluid.
 #include <string_view>
@@ -27,18 +27,19 @@ struct SharedRun {
 };
 
 /// Sums of every run in the rows [first, last) of block `block`, by slot; `shared` takes those with friction.
-template <class Stencil>
-void gather_exchange(const Lattice<Stencil, double>& lattice, int block, CoveredRuns& covered,
+template <class Stencil, class T>
+void gather_exchange(const Lattice<Stencil, T>& lattice, int block, CoveredRuns<T>& covered,
                      const ExchangeFactors& factors, std::size_t first, std::size_t last, SlotSums& by_slot,
                      std::vector<SharedRun>& shared);
 
 /// Steps the rows [first, last) of block `block`; `spheres` hold the velocities at which the solid moves.
-template <class Stencil>
-using ResolvedSweep = void (*)(const Lattice<Stencil, double>& lattice, int block, const CoveredRuns& covered,
+template <class Stencil, class T>
+using ResolvedSweep = void (*)(const Lattice<Stencil, T>& lattice, int block, const CoveredRuns<T>& covered,
                                const std::vector<ResolvedSphere>& spheres, std::size_t first, std::size_t last);
 
 /// The kernel for these laws; both names must be in their lists. `forced`: with a body force, in Guo's form.
-template <class Stencil>
-ResolvedSweep<Stencil> resolved_sweep_for(std::string_view collision, std::string_view coupling_operator, bool forced);
+template <class Stencil, class T>
+ResolvedSweep<Stencil, T> resolved_sweep_for(std::string_view collision, std::string_view coupling_operator,
+                                             bool forced);
 
 }  // namespace stresslet

@@ -44,11 +44,10 @@ template <class R>
   return solid_drag / (as<R>(1) + as<R>(0.5) * drag_sum);
 }
 
-/// c_kj, force per relative velocity of the solids k and j.
+/// c_kj, force per relative velocity of the solids k and j; B_j is the share of j.
 template <class R>
-[[gnu::always_inline]] inline R shared_cell_friction(const R& density, const R& drag_k, const R& drag_j,
-                                                     const R& drag_sum) {
-  return as<R>(0.5) * density * drag_k * drag_j / (as<R>(1) + as<R>(0.5) * drag_sum);
+[[gnu::always_inline]] inline R shared_cell_friction(const R& density, const R& drag_k, const R& share_j) {
+  return as<R>(0.5) * density * drag_k * share_j;
 }
 
 /// The rule of the thesis preset in place of the above: where the solid fractions add up to more than 1, weights B_k

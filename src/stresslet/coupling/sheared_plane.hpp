@@ -20,13 +20,13 @@ struct ExchangeAcross {
 };
 
 /// Of the populations, after prepare_step.
-template <class Stencil>
-double fluid_momentum_across(const Lattice<Stencil, double>& lattice);
+template <class Stencil, class T>
+double fluid_momentum_across(const Lattice<Stencil, T>& lattice);
 
 /// Momentum along x that the walls across y gave the fluid in the last step, of the lower less that of the upper, half:
 /// what passes upwards. `velocity_difference` of the upper wall and the lower.
-template <class Stencil>
-double wall_momentum_upwards(const Lattice<Stencil, double>& lattice, double velocity_difference);
+template <class Stencil, class T>
+double wall_momentum_upwards(const Lattice<Stencil, T>& lattice, double velocity_difference);
 
 /// Of the solid, with the spheres' velocities of the sweep.
 double solid_momentum_across(const std::vector<ExchangeAcross>& across, const std::vector<ResolvedSphere>& spheres);

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <experimental/simd>
+#include <type_traits>
 #include <utility>
 
 namespace stresslet {
@@ -25,8 +26,14 @@ inline Pack gather(const double* base, const std::int32_t* index, std::size_t st
   return Pack([&](auto k) { return base[stride * std::size_t(index[k])]; });
 }
 
-inline Pack load(const double* p) { return Pack(p, stdx::vector_aligned); }
-inline void store(double* p, const Pack& v) { v.copy_to(p, stdx::vector_aligned); }
+template <class T>
+PackOf<T> load(const T* p) {
+  return PackOf<T>(p, stdx::vector_aligned);
+}
+template <class T>
+void store(T* p, const std::type_identity_t<PackOf<T>>& v) {
+  v.copy_to(p, stdx::vector_aligned);
+}
 
 namespace detail {
 
@@ -51,8 +58,11 @@ inline void transpose(Pack* rows) {
 }
 
 /// Lane-wise choice: `mask ? a : b`; the scalar overload lets laws be written once.
-inline Pack select(const Pack::mask_type& mask, const Pack& a, const Pack& b) {
-  Pack result = b;
+template <class T, class Abi>
+[[gnu::always_inline]] inline stdx::simd<T, Abi> select(const stdx::simd_mask<T, Abi>& mask,
+                                                        const std::type_identity_t<stdx::simd<T, Abi>>& a,
+                                                        const std::type_identity_t<stdx::simd<T, Abi>>& b) {
+  stdx::simd<T, Abi> result = b;
   stdx::where(mask, result) = a;
   return result;
 }

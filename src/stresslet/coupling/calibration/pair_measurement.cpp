@@ -98,7 +98,7 @@ Steady steady_load(const PairScheme& scheme, int edge, const std::vector<Resolve
   CouplingSetup coupling;
   coupling.coupling_operator = scheme.coupling_operator;
   coupling.solid = {scheme.solid_fraction, scheme.weight, scheme.relaxation_time};
-  ResolvedFluid fluid(setup, coupling);
+  ResolvedFluidOf<double> fluid(setup, coupling);
   fluid.initialise(team, [](const Cells&) { return CellState{}; });
   const double viscosity = kinematic_viscosity_lu(scheme.relaxation_time);
   const int chunk = std::max(20, int(edge * edge / (4 * pi * pi * viscosity) / 8));

@@ -19,8 +19,11 @@ struct ExactOverlap {
   static constexpr std::string_view summary = "exact overlap of sphere and cube: the reference, slow";
 
   double fraction(const Vec3<double>& offset, double radius) const { return sphere_cube_overlap(offset, radius); }
-  Pack fraction(const Vec3<Pack>& offset, const Pack& radius) const {
-    return Pack([&](auto k) { return sphere_cube_overlap({offset.x[k], offset.y[k], offset.z[k]}, radius[k]); });
+  template <class T>
+  PackOf<T> fraction(const Vec3<PackOf<T>>& offset, const PackOf<T>& radius) const {
+    return PackOf<T>([&](auto k) {
+      return T(sphere_cube_overlap({double(offset.x[k]), double(offset.y[k]), double(offset.z[k])}, double(radius[k])));
+    });
   }
 
   static double touch_radius(double radius) { return radius; }

@@ -22,9 +22,9 @@ namespace stresslet {
 
 /// Part of the unit cube about the origin with normal.xi < distance; `normal` of length 1, or 0 for all or nothing.
 template <class R>
-R plane_cut_of_unit_cube(const Vec3<R>& normal, const R& distance) {
+[[gnu::always_inline]] inline R plane_cut_of_unit_cube(const Vec3<R>& normal, const R& distance) {
   using std::abs, std::max, std::min;
-  const R zero = as<R>(0), one = as<R>(1), least = as<R>(1e-150);
+  const R zero = as<R>(0), one = as<R>(1), least = as<R>(1e-15);
   const R a = abs(normal.x), b = abs(normal.y), c = abs(normal.z);
   const R low = min(a, b), high = max(a, b);
   const R m1 = max(min(low, c), least), m2 = max(max(low, min(high, c)), least), m3 = max(max(high, c), least);
@@ -34,7 +34,7 @@ R plane_cut_of_unit_cube(const Vec3<R>& normal, const R& distance) {
   const R t = max(min(from_corner, whole - from_corner), zero);
 
   const R per_m1 = one / m1;
-  const auto g = [&](const R& beyond) {
+  const auto g = [&](const R& beyond) __attribute__((always_inline)) {
     const R p = max(beyond, zero), q = p - m1;
     return select(q < zero, p * p * (p * per_m1), p * p + p * q + q * q);
   };
@@ -54,7 +54,7 @@ struct PlaneCut {
   R fraction(const Vec3<R>& offset, const R& radius) const {
     using std::max;
     const R centre_distance = norm(offset);
-    const Vec3<R> normal = offset / max(centre_distance, as<R>(1e-150));
+    const Vec3<R> normal = offset / max(centre_distance, as<R>(1e-15));
     return plane_cut_of_unit_cube(normal, R(curvature_corrected(radius) - centre_distance));
   }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "stresslet/io/schema.hpp"
+#include "stresslet/simulation/precision.hpp"
 
 namespace stresslet {
 
@@ -24,14 +25,7 @@ std::vector<std::string> field_names();
 enum class BoundaryKind { wall, velocity, pressure };
 BoundaryKind boundary_kind(std::string_view law);
 
-enum class Precision { floating64, floating32 };
 enum class Axis { x, y, z };
-
-template <>
-struct Keywords<Precision> {
-  static constexpr std::array<std::pair<std::string_view, Precision>, 2> names{
-      {{"float64", Precision::floating64}, {"float32", Precision::floating32}}};
-};
 
 template <>
 struct Keywords<Axis> {

@@ -9,6 +9,7 @@ void settle(ResolutionInput& r) {
   };
   choose(r.relaxation_time, thesis ? 0.65 : r.preset == ResolutionPreset::fast ? 2.0 : 1.0);
   choose(r.magic_parameter, 1.0 / 12);
+  choose(r.precision, Precision::floating64);
   choose(r.collision, thesis ? Bgk::name : Trt::name);
   choose(r.coupling, Superposition::name);
   choose(r.solid_fraction, PlaneCut::name);

@@ -7,6 +7,7 @@
 #include "stresslet/coupling/laws.hpp"
 #include "stresslet/io/schema.hpp"
 #include "stresslet/lattice/laws.hpp"
+#include "stresslet/simulation/precision.hpp"
 
 namespace stresslet {
 
@@ -32,6 +33,7 @@ struct ResolutionInput {
   double cells_per_diameter = 10;
   ResolutionPreset preset = ResolutionPreset::standard;
   std::optional<double> relaxation_time, magic_parameter;
+  std::optional<Precision> precision;
   std::optional<std::string> collision, coupling, solid_fraction, solid_weight, correction;
   std::optional<std::vector<double>> correction_lengths;
   double largest_mach = 0.1;
@@ -49,6 +51,10 @@ struct ResolutionInput {
           "TRT and MRT: (tau_even - 1/2)(tau_odd - 1/2)");
     v.key("collision", collision, otherwise("follows from `preset`"), one_of(CollisionLaws::names()), "",
           "Collision law");
+    v.key(
+        "precision", precision, otherwise("follows from `preset`"), anything(), "",
+        "Of the fluid and of what it does to a particle in one cell: float64, or float32, which takes half the memory "
+        "and half the time");
     v.key("coupling", coupling, otherwise("`\"superposition\"`"), one_of(CouplingOperators::names()), "",
           "How the solid acts on the fluid in a cell");
     v.key("solid_fraction", solid_fraction, otherwise("`\"plane-cut\"`"), one_of(SolidFractionLaws::names()), "",

@@ -13,6 +13,7 @@ FluidSetup fluid_setup(const ResolvedSetup& s) {
   setup.grid.size = s.cells;
   setup.collision = s.collision;
   setup.rates = s.rates;
+  setup.single_precision = s.single_precision;
   const double jump = s.velocity_difference_lu();
   if (s.box == BoxKind::lees_edwards) {
     setup.grid.closure[1] = Closure::sheared;
@@ -33,11 +34,11 @@ ResolvedFlow::ResolvedFlow(const ResolvedSetup& setup)
     : setup_(setup),
       step_(setup.step()),
       mass_unit_(setup.reynolds * setup.cell * setup.cell * setup.cell),
-      fluid_(fluid_setup(setup), setup.coupling) {}
+      fluid_(ResolvedFluid::make(fluid_setup(setup), setup.coupling)) {}
 
 void ResolvedFlow::fill(ThreadTeam& team) {
   const double gradient = setup_.is_sheared() ? step_ : 0.0, middle = 0.5 * (setup_.cells[1] - 1);
-  fluid_.initialise(team, [&](const Cells& c) {
+  fluid_->initialise(team, [&](const Cells& c) {
     CellState s;
     s.velocity.x = gradient * (c[1] - middle);
     s.strain_rate.xy = 0.5 * gradient;
@@ -52,23 +53,23 @@ void ResolvedFlow::prepare(Member& member, const ParticleState& state, const Box
     frame_.assign(n, 0.0);
     coupling.resistance.resize(n);
     coupling.push.resize(n);
-    if (setup_.box == BoxKind::lees_edwards) fluid_.lattice().shear_offset = box.offset / setup_.cell;
+    if (setup_.box == BoxKind::lees_edwards) fluid_->follow_shear(box.offset / setup_.cell);
   }
   member.barrier();
   const Range mine = member.share(n);
   for (std::size_t i = mine.begin; i < mine.end; ++i)
     spheres_[i] = {state.position(i) / setup_.cell - Vec3<double>{0.5, 0.5, 0.5}, state.radius[i] / setup_.cell};
   member.barrier();
-  fluid_.prepare(member, spheres_);
+  fluid_->prepare(member, spheres_);
 
   const double rate = mass_unit_ / step_, length = setup_.cell, velocity = length / step_;
   for (std::size_t i = mine.begin; i < mine.end; ++i) {
-    const ExchangeSums& s = fluid_.exchange(i);
+    const ExchangeSums& s = fluid_->exchange(i);
     coupling.resistance[i] = {rate * s.mass, rate * length * s.first, rate * length * length * s.rotational()};
     coupling.push[i] = {rate * velocity * s.momentum, rate * velocity * length * s.angular_momentum()};
   }
   if (member.rank() == 0) {
-    std::vector<PointFriction> friction = fluid_.friction();
+    std::vector<PointFriction> friction = fluid_->friction();
     for (PointFriction& f : friction) {
       f.coefficient *= rate;
       f.arm_first = length * f.arm_first, f.arm_second = length * f.arm_second;
@@ -107,7 +108,7 @@ void ResolvedFlow::follow(Member& member, const ParticleState& state, bool first
 Stress ResolvedFlow::stresslet(const ParticleState& state, const Box& box, const FluidCoupling& coupling) const {
   Stress sum{};
   for (std::size_t i = 0; i < spheres_.size(); ++i)
-    sum += load_on_sphere(fluid_.exchange(i), spheres_[i].velocity, spheres_[i].angular_velocity).complete_stresslet();
+    sum += load_on_sphere(fluid_->exchange(i), spheres_[i].velocity, spheres_[i].angular_velocity).complete_stresslet();
   sum = energy_unit() * sum;
   const auto twist = [&](std::int32_t i) {
     return Twist<double>{state.velocity(std::size_t(i)), state.angular_velocity(std::size_t(i))};
@@ -120,7 +121,7 @@ Stress ResolvedFlow::stresslet(const ParticleState& state, const Box& box, const
 Stress ResolvedFlow::kinetic_stresslet(const Box& box) const {
   Stress sum{};
   for (std::size_t i = 0; i < spheres_.size(); ++i)
-    sum += load_on_sphere(fluid_.exchange(i), spheres_[i].velocity, spheres_[i].angular_velocity).kinetic;
+    sum += load_on_sphere(fluid_->exchange(i), spheres_[i].velocity, spheres_[i].angular_velocity).kinetic;
   return (energy_unit() / box.volume()) * sum;
 }
 
@@ -128,7 +129,7 @@ double ResolvedFlow::dissipation(ThreadTeam& team, const ParticleState& state, c
                                  const FluidCoupling& coupling) {
   std::vector<ResolvedSphere> next = spheres_;
   for (std::size_t i = 0; i < next.size(); ++i) next[i].centre += next[i].velocity;
-  look_ = fluid_.energy(team, next, planes_);
+  look_ = fluid_->energy(team, next, planes_);
   double rubbed = 0;
   for (const PointFriction& f : coupling.friction()) {
     const std::size_t i = std::size_t(f.first), j = std::size_t(f.second);
@@ -148,7 +149,7 @@ void ResolvedFlow::add_to(Sample& sample) const {
 
 double ResolvedFlow::force_across_plane(ThreadTeam& team, const Box& box, const FluidCoupling& coupling,
                                         const ParticleState& state) {
-  double force = -mass_unit_ * setup_.cell / (step_ * step_) * fluid_.momentum_across(team, spheres_);
+  double force = -mass_unit_ * setup_.cell / (step_ * step_) * fluid_->momentum_across(team, spheres_);
   for (const PointFriction& f : coupling.friction()) {
     if (f.jump.x == 0) continue;
     const std::size_t i = std::size_t(f.first), j = std::size_t(f.second);
@@ -171,8 +172,8 @@ double ResolvedFlow::stored_momentum(const ParticleState& state, const Box& box)
 
 void ResolvedFlow::restore(ThreadTeam& team, const std::vector<double>& populations, std::int64_t steps,
                            double offset) {
-  fluid_.restore(team, populations, steps);
-  if (setup_.box == BoxKind::lees_edwards) fluid_.set_shear_offset(offset / setup_.cell);
+  fluid_->restore(team, populations, steps);
+  if (setup_.box == BoxKind::lees_edwards) fluid_->set_shear_offset(offset / setup_.cell);
 }
 
 }  // namespace stresslet

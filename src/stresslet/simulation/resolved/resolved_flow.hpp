@@ -4,6 +4,7 @@
 ///
 /// Cell i is centred on (i + 1/2) dx. Units of the program (d1, 1/shear rate, viscosity 1) give the fluid the density
 /// Re = rho d1^2 gdot / eta and the kinematic viscosity 1/Re, so that a step lasts nu_lu dx^2 Re.
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,6 +27,7 @@ struct ResolvedSetup {
   CouplingSetup coupling;
   std::optional<SubgridCorrection> correction;  ///< lengths in cells
   BoxKind box = BoxKind::lees_edwards;
+  bool single_precision = false;  ///< of the fluid
 
   bool is_sheared() const { return box != BoxKind::periodic; }
   double cell_count() const { return double(cells[0]) * cells[1] * cells[2]; }
@@ -59,7 +61,7 @@ class ResolvedFlow {
   /// Takes the particles' new velocities, which they keep for this share of the step.
   void follow(Member& member, const ParticleState& state, bool first, double share);
   /// Moves the fluid on, with the particles at the means of these.
-  void sweep(Member& member) { fluid_.sweep(member, spheres_); }
+  void sweep(Member& member) { fluid_->sweep(member, spheres_); }
 
   /// After `sweep`, per volume, in units of viscosity x shear rate: first moments of the forces that the particles
   /// exert on the fluid and on each other through shared cells, kinetic part included.
@@ -87,8 +89,8 @@ class ResolvedFlow {
   const CarriedAcross& carried() const { return carried_; }
   void set_carried(const CarriedAcross& carried) { carried_ = carried; }
 
-  Fluid::Totals totals(ThreadTeam& team) { return fluid_.totals(team); }
-  std::vector<double> populations(ThreadTeam& team) { return fluid_.populations(team); }
+  Fluid::Totals totals(ThreadTeam& team) { return fluid_->totals(team); }
+  std::vector<double> populations(ThreadTeam& team) { return fluid_->populations(team); }
   void restore(ThreadTeam& team, const std::vector<double>& populations, std::int64_t steps, double offset);
 
   const ResolvedSetup& setup() const { return setup_; }
@@ -98,7 +100,7 @@ class ResolvedFlow {
 
   ResolvedSetup setup_;
   double step_, mass_unit_;  ///< of the program, per unit of the lattice
-  ResolvedFluid fluid_;
+  std::unique_ptr<ResolvedFluid> fluid_;
   std::vector<ResolvedSphere> spheres_;
   std::vector<double> frame_;  ///< what velocities of the particles along x have gained by crossing since `prepare`
   FluidEnergy look_;

@@ -81,6 +81,7 @@ ResolvedSetup resolved_setup(const Case& c, const Box& box, double smallest_radi
   s.rates.relaxation_time = *r.relaxation_time;
   s.rates.magic_parameter = *r.magic_parameter;
   s.collision = *r.collision;
+  s.single_precision = *r.precision == Precision::floating32;
   s.coupling.coupling_operator = *r.coupling;
   s.coupling.solid.fraction = *r.solid_fraction;
   s.coupling.solid.weight = *r.solid_weight;
@@ -103,14 +104,17 @@ ResolvedSetup resolved_setup(const Case& c, const Box& box, double smallest_radi
   return s;
 }
 
-double resolved_bytes(const ResolvedSetup& s) { return 160.0 * (s.cells[0] + 2) * (s.cells[1] + 2) * (s.cells[2] + 2); }
+double resolved_bytes(const ResolvedSetup& s) {
+  return 20.0 * double(s.single_precision ? sizeof(float) : sizeof(double)) * (s.cells[0] + 2) * (s.cells[1] + 2) *
+         (s.cells[2] + 2);
+}
 
 std::string resolved_lines(const Case& c, const ResolvedSetup& s) {
   const ResolutionInput& r = *c.resolution;
   std::string text = "resolved fluid\n";
   text += line("Reynolds number", fmt::format("{:.4g}", s.reynolds), "rho d1^2 gdot / eta");
   text += line("lattice", fmt::format("{} x {} x {}", s.cells[0], s.cells[1], s.cells[2]),
-               fmt::format("{:.4g} cells per d1", 1 / s.cell));
+               fmt::format("{:.4g} cells per d1, {}", 1 / s.cell, keyword(*r.precision)));
   text += line("relaxation time", fmt::format("{:.4g}", s.rates.relaxation_time),
                fmt::format("{}, preset {}", s.collision, keyword(r.preset)));
   text += line("step", fmt::format("{:.3g} / gdot", s.step()), "strain per step, nu_lu dx^2 Re");

@@ -16,7 +16,7 @@ CellDrags drags(CoveredRuns<double>& covered) {
   CellDrags found;
   for (const CoveredRun& run : covered.runs())
     for (int k = 0; k < run.packs * CoveredRuns<double>::width; ++k)
-      if (covered.drag(run)[k] > 0) found[{run.global[0] + k, run.global[1], run.global[2]}] += covered.drag(run)[k];
+      if (covered.drag(run)[k] > 0) found[{run.global_x + k, run.global_y, run.global_z}] += covered.drag(run)[k];
   return found;
 }
 

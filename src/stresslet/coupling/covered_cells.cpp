@@ -6,11 +6,8 @@ namespace stresslet {
 
 namespace {
 
-double sum_of_drags(const Lattice<D3Q19, double>& lattice, const CoveredRuns<double>& covered, const CoveredRun& run,
-                    int x) {
+double sum_of_drags(const CoveredRuns<double>& covered, const Range& row, int x) {
   double sum = 0;
-  const int ny = lattice.blocks[std::size_t(run.block)].populations.layout().size()[1];
-  const Range row = covered.runs_of_row(run.block, std::size_t(run.y + ny * run.z));
   for (std::size_t k = row.begin; k < row.end; ++k) {
     const CoveredRun& other = covered.runs()[k];
     const int place = x - other.x;
@@ -19,31 +16,42 @@ double sum_of_drags(const Lattice<D3Q19, double>& lattice, const CoveredRuns<dou
   return sum;
 }
 
-}  // namespace
-
-void for_each_covered_cell(const Lattice<D3Q19, double>& lattice, const CoveredRuns<double>& covered,
-                           const std::function<void(const ReportedCell&)>& visit) {
-  for (const CoveredRun& run : covered.runs()) {
+void visit_row(const Lattice<D3Q19, double>& lattice, const CoveredRuns<double>& covered, int block, std::size_t row,
+               const std::function<void(const ReportedCell&)>& visit) {
+  const auto& populations = lattice.blocks[std::size_t(block)].populations;
+  const BlockLayout& layout = populations.layout();
+  const std::size_t ny = std::size_t(layout.size()[1]);
+  const std::size_t start = layout.index(0, int(row % ny), int(row / ny));
+  const Range runs = covered.runs_of_row(block, row);
+  for (std::size_t k = runs.begin; k < runs.end; ++k) {
+    const CoveredRun& run = covered.runs()[k];
     const SphereImage& image = covered.images()[std::size_t(run.image)];
-    const auto& populations = lattice.blocks[std::size_t(run.block)].populations;
-    const BlockLayout& layout = populations.layout();
-    for (int x = run.cells.begin; x < run.cells.end; ++x) {
-      const int place = x - run.global[0];
+    for (int place = run.begin; place < run.end; ++place) {
       const double drag = covered.drag(run)[place];
       if (drag == 0) continue;
-      const auto f = incoming(populations, lattice.arrangement, layout.index(run.x + place, run.y, run.z));
+      const int x = run.x + place;
+      const auto f = incoming(populations, lattice.arrangement, start + std::size_t(x));
       const Moments<double> m = moments_of(f);
       const double density = m.density();
       const Vec3<double> velocity = (m.momentum + 0.5 * lattice.input.force_density) / density;
       visit({std::size_t(image.sphere),
-             {x, run.global[1], run.global[2]},
-             {x - image.centre.x, run.global[1] - image.centre.y, run.global[2] - image.centre.z},
+             {run.global_x + place, run.global_y, run.global_z},
+             run.arm(image.centre) + Vec3<double>{double(place), 0, 0},
              drag,
-             share_of_weight(drag, sum_of_drags(lattice, covered, run, run.x + place)),
+             share_of_weight(drag, sum_of_drags(covered, runs, x)),
              density,
              velocity - Vec3<double>{image.velocity_jump, 0, 0}});
     }
   }
+}
+
+}  // namespace
+
+void for_each_covered_cell(const Lattice<D3Q19, double>& lattice, const CoveredRuns<double>& covered,
+                           const std::function<void(const ReportedCell&)>& visit) {
+  for (std::size_t block = 0; block < lattice.blocks.size(); ++block)
+    for (std::size_t row = 0; row < lattice.blocks[block].populations.layout().rows(); ++row)
+      visit_row(lattice, covered, int(block), row, visit);
 }
 
 }  // namespace stresslet

@@ -1,6 +1,8 @@
 #include "stresslet/coupling/covered_runs.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <stdexcept>
 #include <utility>
 
 #include "stresslet/coupling/laws.hpp"
@@ -26,6 +28,8 @@ std::vector<std::pair<int, int>> places_along(const Grid& grid, const std::vecto
 template <class T>
 CoveredRuns<T>::CoveredRuns(const Grid& grid, const SolidLaws& laws)
     : grid_(grid), laws_(laws), boxes_(block_boxes(grid)), first_row_(1, 0) {
+  if (*std::max_element(grid.size.begin(), grid.size.end()) > std::numeric_limits<std::int16_t>::max())
+    throw std::invalid_argument("more than 32767 cells along an axis with spheres in the fluid");
   for (int axis = 0; axis < 3; ++axis) places_[std::size_t(axis)] = places_along(grid, boxes_, axis);
   for (const BlockBox& box : boxes_)
     first_row_.push_back(first_row_.back() + std::size_t(box.size[1]) * std::size_t(box.size[2]));
@@ -56,38 +60,42 @@ void CoveredRuns<T>::find_runs(Found& found, const Range& images) {
   found.runs.clear();
   found.runs_in.assign(first_row_.back(), 0);
   found.packs_in.assign(first_row_.back(), 0);
+  const auto add_row = [&](std::size_t image, const RowSpan& row) {
+    if (row.y < 0 || row.y >= grid_.size[1] || row.z < 0 || row.z >= grid_.size[2]) return;
+    const auto [block_y, y] = places_[1][std::size_t(row.y)];
+    const auto [block_z, z] = places_[2][std::size_t(row.z)];
+    const int end = std::min(row.touched.end, grid_.size[0]);
+    for (int x = std::max(row.touched.begin, 0); x < end;) {
+      const int next = std::min((x / run_length + 1) * run_length, end);
+      const auto [block_x, local_x] = places_[0][std::size_t(x)];
+      const std::size_t block = std::size_t(block_x + block_y + block_z);
+      const std::size_t in_row = first_row_[block] + std::size_t(y + boxes_[block].size[1] * z);
+      const int aligned = local_x / width * width, first = x - (local_x - aligned);
+      const int packs = (next - first + width - 1) / width;
+      const auto from_first = [&](int cell) { return std::uint8_t(std::clamp(cell - first, 0, packs * width)); };
+      found.runs.push_back({.image = std::int32_t(image),
+                            .slot = std::int32_t(found.runs.size()),
+                            .row = std::uint32_t(in_row),
+                            .first_pack = 0,
+                            .global_x = std::int16_t(first),
+                            .global_y = std::int16_t(row.y),
+                            .global_z = std::int16_t(row.z),
+                            .x = std::int16_t(aligned),
+                            .packs = std::uint8_t(packs),
+                            .begin = from_first(x),
+                            .end = from_first(next),
+                            .full_begin = from_first(row.full.begin),
+                            .full_end = from_first(row.full.end),
+                            .filled = false});
+      ++found.runs_in[in_row];
+      found.packs_in[in_row] += std::uint32_t(packs);
+      x = next;
+    }
+  };
   for (std::size_t k = images.begin; k < images.end; ++k) {
     const SphereImage& image = images_[k];
     for_each_row_of_sphere(image.centre, touch_radius_(image.radius), full_radius_(image.radius),
-                           [&](const RowSpan& row) {
-                             if (row.y < 0 || row.y >= grid_.size[1] || row.z < 0 || row.z >= grid_.size[2]) return;
-                             const auto [block_y, y] = places_[1][std::size_t(row.y)];
-                             const auto [block_z, z] = places_[2][std::size_t(row.z)];
-                             const int end = std::min(row.touched.end, grid_.size[0]);
-                             for (int x = std::max(row.touched.begin, 0); x < end;) {
-                               const int next = std::min((x / run_length + 1) * run_length, end);
-                               const auto [block_x, local_x] = places_[0][std::size_t(x)];
-                               const int block = block_x + block_y + block_z, aligned = local_x / width * width;
-                               const Cells global{x - (local_x - aligned), row.y, row.z};
-                               found.runs.push_back({.image = std::int32_t(k),
-                                                     .slot = std::int32_t(found.runs.size()),
-                                                     .block = block,
-                                                     .x = aligned,
-                                                     .y = y,
-                                                     .z = z,
-                                                     .packs = (next - global[0] + width - 1) / width,
-                                                     .global = global,
-                                                     .cells = {x, next},
-                                                     .full = row.full,
-                                                     .first_pack = 0,
-                                                     .filled = false});
-                               const CoveredRun& run = found.runs.back();
-                               const std::size_t in_row = row_of(run);
-                               ++found.runs_in[in_row];
-                               found.packs_in[in_row] += std::uint32_t(run.packs);
-                               x = next;
-                             }
-                           });
+                           [&](const RowSpan& row) { add_row(k, row); });
     first_slot_[k + 1] = found.runs.size();
   }
 }
@@ -105,8 +113,9 @@ void CoveredRuns<T>::divide_rows(std::size_t members) {
     }
   }
   first_run_.back() = runs;
-  runs_.resize(runs);
-  if (drag_.size() < packs * width) drag_.resize(packs * width * 5 / 4);
+  run_count_ = runs;
+  make_room(runs_, runs);
+  make_room(drag_, std::size_t(packs) * width);
   found_before_.assign(1, 0);
   for (std::size_t m = 0; m < members; ++m) found_before_.push_back(found_before_.back() + found_[m].runs.size());
 }
@@ -115,12 +124,14 @@ void CoveredRuns<T>::divide_rows(std::size_t members) {
 template <class T>
 void CoveredRuns<T>::sort_into_rows(Found& found, const Range& images, std::size_t first_slot) {
   for (std::size_t k = images.begin; k < images.end; ++k) first_slot_[k + 1] += first_slot;
-  for (CoveredRun& run : found.runs) {
-    const std::size_t row = row_of(run);
+  constexpr std::size_t ahead = 16;  // the rows of a sphere lie far apart: asked for before use
+  for (std::size_t k = 0; k < found.runs.size(); ++k) {
+    if (k + ahead < found.runs.size()) __builtin_prefetch(runs_.data() + found.runs_in[found.runs[k + ahead].row], 1);
+    CoveredRun run = found.runs[k];
     run.slot += std::int32_t(first_slot);
-    run.first_pack = found.packs_in[row];
-    found.packs_in[row] += std::uint32_t(run.packs);
-    runs_[found.runs_in[row]++] = run;
+    run.first_pack = found.packs_in[run.row];
+    found.packs_in[run.row] += run.packs;
+    runs_.data()[found.runs_in[run.row]++] = run;
   }
 }
 
@@ -155,22 +166,22 @@ void CoveredRuns<T>::fill(const Range& runs) {
   const P lanes([](auto k) { return T(k); });
   const P full = weight.drag(P(T(1)));
   for (std::size_t k = runs.begin; k < runs.end; ++k) {
-    CoveredRun& run = runs_[k];
+    CoveredRun& run = runs_.data()[k];
     if (run.filled) continue;
     run.filled = true;
     const SphereImage& image = images_[std::size_t(run.image)];
+    const Vec3<double> arm = run.arm(image.centre);
     for (int p = 0; p < run.packs; ++p) {
-      const int x = run.global[0] + p * width;
+      const int x = p * width;
       P value = full;
-      if (x < run.full.begin || x + width > run.full.end) {
-        const Vec3<P> offset{P(T(x - image.centre.x)) + lanes, P(T(run.global[1] - image.centre.y)),
-                             P(T(run.global[2] - image.centre.z))};
+      if (x < run.full_begin || x + width > run.full_end) {
+        const Vec3<P> offset{P(T(arm.x + x)) + lanes, P(T(arm.y)), P(T(arm.z))};
         value = weight.drag(fraction.fraction(offset, P(T(image.radius))));
       }
       // A pack may reach into the next run, or beyond the domain.
-      if (x < run.cells.begin || x + width > run.cells.end) {
+      if (x < run.begin || x + width > run.end) {
         const P place = P(T(x)) + lanes;
-        stdx::where(place < T(run.cells.begin) || place >= T(run.cells.end), value) = T(0);
+        stdx::where(place < T(run.begin) || place >= T(run.end), value) = T(0);
       }
       store(drag(run) + p * width, value);
     }

@@ -9,12 +9,13 @@
 /// `fill_drags` costs, per covered pack of cells at the surface, one evaluation of the solid-fraction law in registers
 /// (some 60 operations for plane-cut) and one store; packs inside are filled.
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "stresslet/coupling/spans.hpp"
 #include "stresslet/coupling/sphere_images.hpp"
-#include "stresslet/exec/aligned.hpp"
+#include "stresslet/exec/huge_array.hpp"
 #include "stresslet/exec/simd.hpp"
 #include "stresslet/exec/thread_team.hpp"
 #include "stresslet/lattice/lattice.hpp"
@@ -23,16 +24,24 @@ namespace stresslet {
 
 inline constexpr int run_length = 16;
 
+/// Small, because every step writes all of them, twice, and the second time all over memory.
 struct CoveredRun {
   std::int32_t image, slot;
-  std::int32_t block, x, y, z;  ///< block, and coordinates in it of the first cell; x a multiple of the pack width
-  std::int32_t packs;
-  Cells global;              ///< of the first cell
-  CellRange cells;           ///< global
-  CellRange full;            ///< cells entirely inside the sphere, global
-  std::uint32_t first_pack;  ///< where its solid drags begin
-  bool filled;               ///< whether these are there
+  std::uint32_t row;                          ///< of the rows of all blocks in one list
+  std::uint32_t first_pack;                   ///< where its solid drags begin
+  std::int16_t global_x, global_y, global_z;  ///< of the first cell
+  std::int16_t x;                             ///< of the first cell, in the block; a multiple of the pack width
+  std::uint8_t packs;
+  std::uint8_t begin, end;            ///< covered cells, counted from the first
+  std::uint8_t full_begin, full_end;  ///< those entirely inside the sphere, alike
+  bool filled;                        ///< whether the solid drags are there
+
+  /// From `centre` to the first cell.
+  Vec3<double> arm(const Vec3<double>& centre) const {
+    return {global_x - centre.x, global_y - centre.y, global_z - centre.z};
+  }
 };
+static_assert(sizeof(CoveredRun) == 32);
 
 struct SolidLaws {
   std::string fraction = "plane-cut", weight = "viscosity-scaled";
@@ -45,6 +54,7 @@ class CoveredRuns {
  public:
   static constexpr int width = int(PackOf<T>::size());  ///< of packs
 
+  /// Throws std::invalid_argument for a grid of more than 32767 cells along an axis.
   CoveredRuns(const Grid& grid, const SolidLaws& laws);
 
   /// Finds all images and runs of `spheres`; keeps what it has where all stay as they were. All members of the team
@@ -55,7 +65,8 @@ class CoveredRuns {
   void fill_drags(const Range& runs) { (this->*fill_)(runs); }
 
   const std::vector<SphereImage>& images() const { return images_; }
-  const std::vector<CoveredRun>& runs() const { return runs_; }
+  /// By row.
+  std::span<const CoveredRun> runs() const { return {runs_.data(), run_count_}; }
   /// Slots [begin, end) of the runs of image `k`.
   Range slots_of_image(std::size_t k) const { return {first_slot_[k], first_slot_[k + 1]}; }
   /// Images [begin, end) of sphere `k`.
@@ -81,10 +92,6 @@ class CoveredRuns {
   void find_runs(Found& found, const Range& images);
   void divide_rows(std::size_t members);
   void sort_into_rows(Found& found, const Range& images, std::size_t first_slot);
-  std::size_t row_of(const CoveredRun& run) const {
-    const std::size_t block = std::size_t(run.block);
-    return first_row_[block] + std::size_t(run.y + boxes_[block].size[1] * run.z);
-  }
   template <class Fraction, class Weight>
   void fill(const Range& runs);
 
@@ -100,8 +107,9 @@ class CoveredRuns {
   std::vector<std::uint32_t> first_run_;   ///< [row]
   std::vector<Found> found_;               ///< [member]
   std::vector<std::size_t> found_before_;  ///< [member]: slots of the members before
-  std::vector<CoveredRun> runs_;           ///< by row
-  AlignedVector<T> drag_;
+  HugeArray<CoveredRun> runs_;
+  std::size_t run_count_ = 0;
+  HugeArray<T> drag_;
   double (*touch_radius_)(double) = nullptr;
   double (*full_radius_)(double) = nullptr;
   void (CoveredRuns::*fill_)(const Range&) = nullptr;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "stresslet/base/vec3.hpp"
+#include "stresslet/exec/huge_array.hpp"
 
 namespace stresslet {
 
@@ -74,21 +75,21 @@ struct RunExchange {
 
 /// What all runs have, by slot (covered_runs.hpp).
 struct SlotSums {
-  std::vector<RunExchange> exchange;
+  HugeArray<RunExchange> exchange;
   std::vector<SymTensor3<double>> kinetic;  ///< empty where the operator has none
 
   void resize(std::size_t slots, bool with_kinetic) {
-    exchange.resize(slots);
+    make_room(exchange, slots);
     kinetic.resize(with_kinetic ? slots : 0);
   }
   /// Asks for the line of a slot that will be written: neighbours in a row lie far apart.
   void ask_for(std::size_t slot) const {
-    const char* const at = reinterpret_cast<const char*>(&exchange[slot]);
+    const char* const at = reinterpret_cast<const char*>(exchange.data() + slot);
     __builtin_prefetch(at, 1);
     __builtin_prefetch(at + sizeof(RunExchange) - 1, 1);
   }
   void add_to(ExchangeSums& sum, std::size_t begin, std::size_t end) const {
-    for (std::size_t slot = begin; slot < end; ++slot) exchange[slot].add_to(sum);
+    for (std::size_t slot = begin; slot < end; ++slot) exchange.data()[slot].add_to(sum);
     if (!kinetic.empty())
       for (std::size_t slot = begin; slot < end; ++slot) sum.kinetic += kinetic[slot];
   }

@@ -1,99 +1,128 @@
 #include "stresslet/coupling/fluid_energy.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "stresslet/coupling/laws.hpp"
-#include "stresslet/coupling/shared_cells.hpp"
+#include "stresslet/coupling/solid_row.hpp"
 #include "stresslet/lattice/laws.hpp"
+#include "stresslet/lattice/pack_in_place.hpp"
 
 namespace stresslet {
 
 namespace {
 
-/// The solids in one cell: sums of alpha, alpha us and alpha us^2.
-struct CellSolids {
-  SharedDrag<double> shared;
-  double drag_square = 0;
-};
-
-template <class T>
-std::vector<CellSolids> solids_of_row(int nx, int block, std::size_t row, const CoveredRuns<T>& covered,
-                                      const std::vector<ResolvedSphere>& spheres) {
-  std::vector<CellSolids> cells{std::size_t(nx)};
-  const Range runs = covered.runs_of_row(block, row);
-  for (std::size_t k = runs.begin; k < runs.end; ++k) {
-    const CoveredRun& run = covered.runs()[k];
-    const SphereImage& image = covered.images()[std::size_t(run.image)];
-    const ResolvedSphere& sphere = spheres[std::size_t(image.sphere)];
-    const T* drag = covered.drag(run);
-    for (int x = run.cells.begin; x < run.cells.end; ++x) {
-      const int along = x - run.global[0];
-      const Vec3<double> arm{x - image.centre.x, run.global[1] - image.centre.y, run.global[2] - image.centre.z};
-      Vec3<double> u = rigid_velocity(sphere.velocity, sphere.angular_velocity, arm);
-      u.x += image.velocity_jump;
-      CellSolids& cell = cells[std::size_t(run.x + along)];
-      cell.shared.add(drag[along], u);
-      cell.drag_square += drag[along] * dot(u, u);
-    }
-  }
-  return cells;
-}
-
 /// sum n_i^2/w_i.
-template <class Stencil>
-double weighted_square(const CellPopulations<Stencil, double>& f, const Equilibrium<Stencil, double>& eq) {
-  double sum = (f.rest - eq.rest()) * (f.rest - eq.rest()) / Stencil::weight[0];
-  unroll<Stencil::pairs>([&](auto k) {
+template <class Stencil, class R>
+R weighted_square(const CellPopulations<Stencil, R>& f, const Equilibrium<Stencil, R>& eq) {
+  R sum = as<R>(1 / Stencil::weight[0]) * (f.rest - eq.rest()) * (f.rest - eq.rest());
+  unroll<Stencil::pairs>([&](auto k) __attribute__((always_inline)) {
     constexpr int i = first_of_pair(k);
-    const EvenOdd<double> target = eq.template pair<i>();
-    const double even = f.pair[k].even - target.even, odd = f.pair[k].odd - target.odd;
-    sum += (even * even + odd * odd) / (2 * Stencil::weight[i]);
+    const EvenOdd<R> target = eq.template pair<i>();
+    const R even = f.pair[k].even - target.even, odd = f.pair[k].odd - target.odd;
+    sum += as<R>(1 / (2 * Stencil::weight[i])) * (even * even + odd * odd);
   });
   return sum;
 }
 
+template <class Stencil, class T>
+CellPopulations<Stencil, PackOf<T>> read_all(const PackInPlace<Stencil, T>& f) {
+  CellPopulations<Stencil, PackOf<T>> all;
+  all.rest = f.read_rest();
+  unroll<Stencil::pairs>([&](auto k) __attribute__((always_inline)) { all.pair[k] = f.template read<k>(); });
+  return all;
+}
+
+template <class P>
+struct PackEnergy {
+  P collisions{}, slip{}, stored_momentum{}, free_cells{}, free_velocity{};
+  SymTensor3<P> reynolds{};
+};
+
+/// Solids of one row: with sum alpha us^2 besides.
+template <class T>
+struct RowOfSolids {
+  SolidRow<T> solid;
+  AlignedVector<T> drag_square;
+
+  RowOfSolids(int nx, int block, std::size_t row, const CoveredRuns<T>& covered,
+              const std::vector<ResolvedSphere>& spheres)
+      : solid(nx), drag_square(std::size_t(nx + CoveredRuns<T>::width), T(0)) {
+    using P = PackOf<T>;
+    const Range runs = covered.runs_of_row(block, row);
+    for (std::size_t k = runs.begin; k < runs.end; ++k) {
+      const CoveredRun& run = covered.runs()[k];
+      const SphereImage& image = covered.images()[std::size_t(run.image)];
+      const ResolvedSphere& sphere = spheres[std::size_t(image.sphere)];
+      solid.add(run, covered.drag(run), image, sphere);
+      for_each_pack(run, covered.drag(run), image, sphere, [&](int p, const P& drag, const Vec3<P>& velocity) {
+        T* const at = &drag_square[std::size_t(run.x + p)];
+        store(at, load(at) + drag * dot(velocity, velocity));
+      });
+    }
+  }
+};
+
 template <class Stencil, class T, class Collision, class Operator>
 FluidEnergy row_energy(const Lattice<Stencil, T>& lattice, int block, std::size_t row, const CoveredRuns<T>& covered,
                        const std::vector<ResolvedSphere>& spheres, double shear_rate) {
+  using P = PackOf<T>;
+  constexpr int width = CoveredRuns<T>::width;
   const auto& of_block = lattice.blocks[std::size_t(block)];
   const BlockLayout& layout = of_block.populations.layout();
   const int nx = layout.size()[0], ny = layout.size()[1], y = int(row) % ny, z = int(row) / ny;
-  const std::vector<CellSolids> solids = solids_of_row(nx, block, row, covered, spheres);
-  const double middle = 0.5 * (lattice.grid.size[1] - 1);
-  const double height = of_block.origin[1] + y - middle;
-  const double mean_flow = shear_rate * height;
-  typename Collision::template Cell<Stencil, double> collision(lattice.input.rates);
-  FluidEnergy sum;
-  for (int x = 0; x < nx; ++x) {
-    const CellPopulations<Stencil, double> before =
-        incoming(of_block.populations, lattice.arrangement, layout.index(x, y, z));
-    const Moments<double> m = moments_of(before);
-    const double density = m.density();
-    const Vec3<double> u_before = m.momentum / density;
-    const Equilibrium<Stencil, double> eq(m.density_deviation, u_before);
-    const CellSolids& cell = solids[std::size_t(x)];
-    const CoveredCell<double> solid = covered_cell(cell.shared);
+  const RowOfSolids<T> solids(nx, block, row, covered, spheres);
+  const Sources<Stencil, T> sources = sources_of(of_block.populations, lattice.arrangement);
+  const std::ptrdiff_t start = std::ptrdiff_t(layout.index(0, y, z));
+  const double height = of_block.origin[1] + y - 0.5 * (lattice.grid.size[1] - 1);
+  const P mean_flow(T(shear_rate * height)), lanes([](auto k) { return T(k); });
+  typename Collision::template Cell<Stencil, P> collision(lattice.input.rates);
+  PackEnergy<P> sum;
+  FluidEnergy found;
+  for (int x = 0; x < nx; x += width) {
+    const CellPopulations<Stencil, P> before = read_all(PackInPlace<Stencil, T>(sources, start + x));
+    const Moments<P> m = moments_of(before);
+    const P density = m.density();
+    const Vec3<P> u_before = m.momentum / density;
+    const Equilibrium<Stencil, P> eq(m.density_deviation, u_before);
+    const P drag = solids.solid.drag(x);
+    const CoveredCell<P> solid = solids.solid.cell(x);
+    const auto inside = lanes + P(T(x)) < P(T(nx));
+    const auto add = [&](P& to, const P& value) { to += select(inside, value, P(T(0))); };
 
-    CellPopulations<Stencil, double> after = before;
-    Operator::template collide<Collision, NoForce>(after, collision, BodyForce<double>{},
-                                                   CoveredCell<double>{solid.weight, u_before});
-    sum.collisions += (weighted_square(before, eq) - weighted_square(after, eq)) / 6;
+    CellPopulations<Stencil, P> after = before;
+    Operator::template collide<Collision, NoForce>(after, collision, BodyForce<P>{},
+                                                   CoveredCell<P>{solid.weight, u_before});
+    add(sum.collisions, weighted_square(before, eq) - weighted_square(after, eq));
 
-    const double held = Operator::exchange * solid.weight;
-    const Vec3<double> slip = solid.velocity - u_before;
-    const double spread =
-        share_of_weight(cell.drag_square, cell.shared.drag) - solid.weight * dot(solid.velocity, solid.velocity);
-    sum.slip += density * (held * (1 - 0.5 * held) * dot(slip, slip) + Operator::exchange * spread);
+    const P held = as<P>(Operator::exchange) * solid.weight;
+    const Vec3<P> slip = solid.velocity - u_before;
+    const P spread = share_of_weight(load(&solids.drag_square[std::size_t(x)]), drag) -
+                     solid.weight * dot(solid.velocity, solid.velocity);
+    add(sum.slip,
+        density * (held * (as<P>(1) - as<P>(0.5) * held) * dot(slip, slip) + as<P>(Operator::exchange) * spread));
 
-    const Vec3<double> u = u_before + (0.5 * held) * slip - Vec3<double>{mean_flow, 0, 0};
-    sum.reynolds += density * square(u);
-    sum.stored_momentum += height * (m.momentum.x - density * mean_flow);
-    if (cell.shared.drag == 0) sum.free += {1, u_before.x};
+    const Vec3<P> u = u_before + (as<P>(0.5) * held) * slip - Vec3<P>{mean_flow, as<P>(0), as<P>(0)};
+    const SymTensor3<P> flux = density * square(u);
+    add(sum.reynolds.xx, flux.xx), add(sum.reynolds.yy, flux.yy), add(sum.reynolds.zz, flux.zz);
+    add(sum.reynolds.xy, flux.xy), add(sum.reynolds.xz, flux.xz), add(sum.reynolds.yz, flux.yz);
+    add(sum.stored_momentum, m.momentum.x - density * mean_flow);
+    const P is_free = select(drag > as<P>(0), as<P>(0), as<P>(1));
+    add(sum.free_cells, is_free), add(sum.free_velocity, is_free * u_before.x);
 
-    sum.see({of_block.origin[0] + x, of_block.origin[1] + y, of_block.origin[2] + z}, density,
-            std::isfinite(density) && std::isfinite(dot(u, u)));
+    const P speed_square = dot(u, u);
+    for (int k = 0; k < std::min(width, nx - x); ++k)
+      found.see({of_block.origin[0] + x + k, of_block.origin[1] + y, of_block.origin[2] + z}, double(density[k]),
+                std::isfinite(density[k]) && std::isfinite(speed_square[k]));
   }
-  return sum;
+  const auto total = [](const P& p) { return double(stdx::reduce(p)); };
+  found.collisions = total(sum.collisions) / 6;
+  found.slip = total(sum.slip);
+  const SymTensor3<P>& r = sum.reynolds;
+  found.reynolds = {total(r.xx), total(r.yy), total(r.zz), total(r.xy), total(r.xz), total(r.yz)};
+  found.stored_momentum = height * total(sum.stored_momentum);
+  found.free = {total(sum.free_cells), total(sum.free_velocity)};
+  return found;
 }
 
 }  // namespace

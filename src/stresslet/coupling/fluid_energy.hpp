@@ -12,7 +12,8 @@
 ///   slip = e rho [B (1 - e B/2) (us - u*)^2 + sum_k B_k us_k^2 - B us^2]
 /// is lost between solid and fluid, besides the friction between the spheres. Without body force.
 ///
-/// Reads 152 bytes per cell, about 300 flops; scalar, once a sample.
+/// Reads 152 bytes per cell in double precision, about 300 flops, in packs; once a sample. Sums of a row are taken in
+/// the precision of the lattice.
 #include <string_view>
 
 #include "stresslet/coupling/covered_runs.hpp"

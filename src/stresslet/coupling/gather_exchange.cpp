@@ -147,8 +147,7 @@ template <class T>
     const double coefficient = total(sum);
     if (!(coefficient > 0)) continue;
     const SphereImage& image = covered.images()[std::size_t(run.image)];
-    const Vec3<double> arm{run.global[0] - image.centre.x, run.global[1] - image.centre.y,
-                           run.global[2] - image.centre.z};
+    const Vec3<double> arm = run.arm(image.centre);
     shared.push_back(
         {run.slot, run.image, other.image, coefficient, coefficient * arm + Vec3<double>{total(along), 0, 0}});
   }
@@ -168,7 +167,8 @@ void sum_runs(const CoveredRuns<T>& covered, const GatherRow<T>& row, const Exch
     RunSums<P> sum{};
     SymTensor3<P> stress{};
     P of_others = T(0);
-    P along = P(T(run.global[0] - image.centre.x)) + lanes;
+    const Vec3<double> arm = run.arm(image.centre);
+    P along = P(T(arm.x)) + lanes;
     for (int p = 0; p < run.packs * width; p += width, along += P(T(width))) {
       const int x = run.x + p;
       const P drag = load(drags + p);
@@ -179,7 +179,7 @@ void sum_runs(const CoveredRuns<T>& covered, const GatherRow<T>& row, const Exch
     const std::size_t slot = std::size_t(run.slot);
     RunSums<double> exchange = factors.exchange * total(sum);
     exchange.change_frame(image.velocity_jump);
-    by_slot.exchange[slot] = {exchange, run.global[1] - image.centre.y, run.global[2] - image.centre.z};
+    by_slot.exchange.data()[slot] = {exchange, arm.y, arm.z};
     if (kinetic) by_slot.kinetic[slot] = factors.kinetic_stress * total(stress);
     if (stdx::any_of(of_others > P(T(0)))) find_shared(covered, k, row, shared);
   }

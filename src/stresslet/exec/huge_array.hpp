@@ -35,6 +35,12 @@ class HugeArray {
   std::size_t size_ = 0;
 };
 
+/// Makes room for `size` values and some more; what was there is lost where there was no room.
+template <class T>
+void make_room(HugeArray<T>& array, std::size_t size) {
+  if (array.size() < size) array = HugeArray<T>(size + size / 4);
+}
+
 /// Memory of this machine in bytes, 0 where it cannot be told.
 std::size_t physical_memory();
 

@@ -7,7 +7,9 @@
 
 #include "calibration_file.hpp"
 #include "commands.hpp"
+#include "stresslet/base/error.hpp"
 #include "stresslet/coupling/laws.hpp"
+#include "stresslet/coupling/weight_choice.hpp"
 #include "stresslet/lattice/laws.hpp"
 
 namespace stresslet {
@@ -114,9 +116,11 @@ void add_calibrate(CLI::App& app, const std::string& command_line) {
   command->add_option("--operator", s.coupling_operator, "Coupling operator")
       ->check(CLI::IsMember(CouplingOperators::names()))
       ->capture_default_str();
-  command->add_option("--weight", s.weight, "Solid weight")
-      ->check(CLI::IsMember(SolidWeights::names()))
-      ->capture_default_str();
+  CLI::Option* weight =
+      command
+          ->add_option("--weight", s.weight,
+                       "Solid weight; default: viscosity-scaled where the operator bears it, else noble-torczynski")
+          ->check(CLI::IsMember(SolidWeights::names()));
   command->add_option("--solid-fraction", s.solid_fraction, "Solid fraction")
       ->check(CLI::IsMember(SolidFractionLaws::names()))
       ->capture_default_str();
@@ -156,7 +160,15 @@ void add_calibrate(CLI::App& app, const std::string& command_line) {
       ->capture_default_str();
   for (const char* of_pairs : {"--radius-ratio", "--gaps", "--random", "--edge", "--quick"})
     wall->excludes(command->get_option(of_pairs));
-  command->callback([a, edge] {
+  command->callback([a, edge, weight] {
+    PairScheme& scheme = a->scheme;
+    if (weight->count() == 0) scheme.weight = default_weight(scheme.coupling_operator);
+    if (!bears(scheme.coupling_operator, scheme.weight))
+      throw InputError(
+          {"--weight",
+           fmt::format("the operator {} does not bear the weight {}", scheme.coupling_operator, scheme.weight),
+           "that weight comes close to 2, where this operator is stable up to 1",
+           "take --weight noble-torczynski or linear"});
     if (edge->count() == 0) a->plan.edge = int(std::ceil(5 * a->plan.cells_across * 0.5 * (1 + a->plan.radius_ratio)));
     if (a->quick) {
       a->plan.gaps = {0.05, 0.3, 1};

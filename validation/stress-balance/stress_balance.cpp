@@ -2,6 +2,7 @@
 /// a sphere that is held: momentum that a wall puts in can leave only through the fluid and the particle. The wall's
 /// part is read from the populations that cross a plane beside it, and knows nothing of the operator.
 #include "stresslet/coupling/laws.hpp"
+#include "stresslet/coupling/weight_choice.hpp"
 #include "validation/harness/shear_cell.hpp"
 
 namespace stresslet::validation {
@@ -11,13 +12,7 @@ void stress_balance(Trial& trial) {
   trial.parameter("relaxation time", tau);
   for (const std::string& weight : SolidWeights::names())
     for (const std::string& coupling_operator : CouplingOperators::names()) {
-      bool allowed = true;
-      SolidWeights::dispatch(weight, [&](auto w) {
-        CouplingOperators::dispatch(coupling_operator, [&](auto o) {
-          allowed = decltype(w)::type::largest <= decltype(o)::type::largest_weight;
-        });
-      });
-      if (!allowed || (trial.quick() && weight == "noble-torczynski")) continue;
+      if (!bears(coupling_operator, weight) || (trial.quick() && weight == "noble-torczynski")) continue;
       ShearCell cell{.scheme = default_scheme(tau), .cells_per_diameter = trial.choose(10, 6), .box = {3, 3, 3}};
       cell.scheme.coupling_operator = coupling_operator;
       cell.scheme.weight = weight;

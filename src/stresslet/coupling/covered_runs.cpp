@@ -1,7 +1,6 @@
 #include "stresslet/coupling/covered_runs.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -28,8 +27,8 @@ std::vector<std::pair<int, int>> places_along(const Grid& grid, const std::vecto
 template <class T>
 CoveredRuns<T>::CoveredRuns(const Grid& grid, const SolidLaws& laws)
     : grid_(grid), laws_(laws), boxes_(block_boxes(grid)), first_row_(1, 0) {
-  if (*std::max_element(grid.size.begin(), grid.size.end()) > std::numeric_limits<std::int16_t>::max())
-    throw std::invalid_argument("more than 32767 cells along an axis with spheres in the fluid");
+  if (*std::max_element(grid.size.begin(), grid.size.end()) > most_cells_along)
+    throw std::invalid_argument("too many cells along an axis for spheres in the fluid");
   for (int axis = 0; axis < 3; ++axis) places_[std::size_t(axis)] = places_along(grid, boxes_, axis);
   for (const BlockBox& box : boxes_)
     first_row_.push_back(first_row_.back() + std::size_t(box.size[1]) * std::size_t(box.size[2]));

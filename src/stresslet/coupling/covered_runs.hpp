@@ -23,6 +23,7 @@
 namespace stresslet {
 
 inline constexpr int run_length = 16;
+inline constexpr int most_cells_along = 32767;  ///< an axis
 
 /// Small, because every step writes all of them, twice, and the second time all over memory.
 struct CoveredRun {
@@ -54,7 +55,7 @@ class CoveredRuns {
  public:
   static constexpr int width = int(PackOf<T>::size());  ///< of packs
 
-  /// Throws std::invalid_argument for a grid of more than 32767 cells along an axis.
+  /// Throws std::invalid_argument for a grid of more than `most_cells_along` along an axis.
   CoveredRuns(const Grid& grid, const SolidLaws& laws);
 
   /// Finds all images and runs of `spheres`; keeps what it has where all stay as they were. All members of the team

@@ -12,6 +12,9 @@ const std::vector<CalibratedLengths>& calibrated_lengths() {
   static const std::vector<CalibratedLengths> rows{
       {"superposition", "viscosity-scaled", "TRT", "soft-cut-off", 0.55, 3, of_pairs, at_walls},
       {"guo-form", "viscosity-scaled", "TRT", "soft-cut-off", 0.55, 3, of_pairs, at_walls},
+      // Their weight depends on the relaxation time, and so do the lengths.
+      {"bounce-back", "noble-torczynski", "TRT", "soft-cut-off", 1, 1, {0.782, 0.346, 0.710}, {}},
+      {"half-holdych", "noble-torczynski", "TRT", "soft-cut-off", 1, 1, {1.013, 0.488, 0.882}, {}},
       // The thesis preset with its published lengths: Najuch (2018), ch. 4.
       {"superposition", "linear", "BGK", "hard-cut-off", 0.65, 0.65, {0.75, 0.05, 0.04}, {}},
   };

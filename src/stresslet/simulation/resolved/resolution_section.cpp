@@ -1,5 +1,7 @@
 #include "stresslet/simulation/resolved/resolution_section.hpp"
 
+#include "stresslet/coupling/weight_choice.hpp"
+
 namespace stresslet {
 
 void settle(ResolutionInput& r) {
@@ -9,11 +11,11 @@ void settle(ResolutionInput& r) {
   };
   choose(r.relaxation_time, thesis ? 0.65 : r.preset == ResolutionPreset::fast ? 2.0 : 1.0);
   choose(r.magic_parameter, 1.0 / 12);
-  choose(r.precision, Precision::floating64);
+  choose(r.precision, r.preset == ResolutionPreset::fast ? Precision::floating32 : Precision::floating64);
   choose(r.collision, thesis ? Bgk::name : Trt::name);
   choose(r.coupling, Superposition::name);
   choose(r.solid_fraction, PlaneCut::name);
-  choose(r.solid_weight, thesis ? LinearWeight::name : ViscosityScaledWeight::name);
+  choose(r.solid_weight, thesis ? LinearWeight::name : default_weight(*r.coupling));
   choose(r.correction, thesis ? HardCutOff::name : SoftCutOff::name);
 }
 

@@ -44,7 +44,7 @@ struct ResolutionInput {
           "Cells across the diameter d1; rounded so that the box is a whole number of cells");
     v.key("preset", preset, defaulted, anything(), "",
           "Defaults of the keys below: standard (relaxation time 1), fast (2: steps three times as long, for Re up to "
-          "0.02), thesis (BGK, superposition with linear weight, relaxation time 0.65, hard cut-off)");
+          "0.02; float32), thesis (BGK, superposition with linear weight, relaxation time 0.65, hard cut-off)");
     v.key("relaxation_time", relaxation_time, otherwise("follows from `preset`"), above_up_to(0.5, 10), "1",
           "Relaxation time of the shear stress; a step grows with (tau - 1/2), compressibility with its square");
     v.key("magic_parameter", magic_parameter, otherwise("`1/12`"), above_up_to(0, 10), "1",
@@ -54,13 +54,15 @@ struct ResolutionInput {
     v.key(
         "precision", precision, otherwise("follows from `preset`"), anything(), "",
         "Of the fluid and of what it does to a particle in one cell: float64, or float32, which takes half the memory "
-        "and half the time");
+        "and two thirds of the time");
     v.key("coupling", coupling, otherwise("`\"superposition\"`"), one_of(CouplingOperators::names()), "",
           "How the solid acts on the fluid in a cell");
     v.key("solid_fraction", solid_fraction, otherwise("`\"plane-cut\"`"), one_of(SolidFractionLaws::names()), "",
           "Law of the solid fraction of a cell");
-    v.key("solid_weight", solid_weight, otherwise("follows from `preset`"), one_of(SolidWeights::names()), "",
-          "Weight of the solid in a cell");
+    v.key("solid_weight", solid_weight, otherwise("follows from `preset` and `coupling`"),
+          one_of(SolidWeights::names()), "",
+          "Weight of the solid in a cell: viscosity-scaled where the coupling bears weights up to 2 (superposition, "
+          "guo-form), else noble-torczynski");
     v.key("correction", correction, otherwise("follows from `preset`"), one_of(correction_names()), "",
           "What the lattice does not resolve of the films between particles");
     v.key("correction_lengths", correction_lengths, otherwise("those calibrated for the scheme"), between(0, 3),

@@ -7,6 +7,7 @@
 
 #include "stresslet/base/error.hpp"
 #include "stresslet/coupling/subgrid/calibrated_lengths.hpp"
+#include "stresslet/coupling/weight_choice.hpp"
 #include "stresslet/exec/huge_array.hpp"
 #include "stresslet/lubrication/normal_only.hpp"
 #include "stresslet/simulation/case_refusals.hpp"
@@ -40,6 +41,16 @@ std::optional<SubgridCorrection> correction_of(const Case& c) {
     correction.wall_lengths = SubgridLengths{correction.lengths_at_walls().normal, 0, 0};
   }
   return correction;
+}
+
+void check_weight(const Case& c) {
+  const ResolutionInput& r = *c.resolution;
+  if (bears(*r.coupling, *r.solid_weight)) return;
+  refuse(c.where("resolution.solid_weight"),
+         fmt::format("the operator {} does not bear the weight {}", *r.coupling, *r.solid_weight),
+         "that weight comes close to 2, where this operator is stable up to 1",
+         "take resolution.solid_weight = \"noble-torczynski\" or \"linear\", or resolution.coupling = "
+         "\"superposition\"");
 }
 
 void check_flow(const Case& c, const ResolvedSetup& s) {
@@ -86,6 +97,12 @@ ResolvedSetup resolved_setup(const Case& c, const Box& box, double smallest_radi
   s.coupling.solid.fraction = *r.solid_fraction;
   s.coupling.solid.weight = *r.solid_weight;
   s.box = box.kind;
+  check_weight(c);
+  if (*std::max_element(s.cells.begin(), s.cells.end()) > most_cells_along)
+    refuse(c.where("resolution.cells_per_diameter"),
+           fmt::format("the lattice would have {} x {} x {} cells", s.cells[0], s.cells[1], s.cells[2]),
+           fmt::format("along an axis there may be {} with spheres in the fluid", most_cells_along),
+           "take fewer cells per diameter, or a box with another aspect");
   s.correction = correction_of(c);
 
   if (2 * smallest_radius / s.cell < fewest_cells_across)

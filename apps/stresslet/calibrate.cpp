@@ -7,7 +7,6 @@
 
 #include "calibration_file.hpp"
 #include "commands.hpp"
-#include "stresslet/base/error.hpp"
 #include "stresslet/coupling/laws.hpp"
 #include "stresslet/coupling/weight_choice.hpp"
 #include "stresslet/lattice/laws.hpp"
@@ -163,12 +162,7 @@ void add_calibrate(CLI::App& app, const std::string& command_line) {
   command->callback([a, edge, weight] {
     PairScheme& scheme = a->scheme;
     if (weight->count() == 0) scheme.weight = default_weight(scheme.coupling_operator);
-    if (!bears(scheme.coupling_operator, scheme.weight))
-      throw InputError(
-          {"--weight",
-           fmt::format("the operator {} does not bear the weight {}", scheme.coupling_operator, scheme.weight),
-           "that weight comes close to 2, where this operator is stable up to 1",
-           "take --weight noble-torczynski or linear"});
+    require_borne(scheme.coupling_operator, scheme.weight, "--weight", "take --weight noble-torczynski or linear");
     if (edge->count() == 0) a->plan.edge = int(std::ceil(5 * a->plan.cells_across * 0.5 * (1 + a->plan.radius_ratio)));
     if (a->quick) {
       a->plan.gaps = {0.05, 0.3, 1};

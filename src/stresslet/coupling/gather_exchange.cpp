@@ -120,7 +120,7 @@ class GatherRow {
   AlignedVector<T> whole_;                  ///< sum of all drags
   AlignedVector<T> density_;
   std::array<AlignedVector<T>, 3> momentum_;
-  std::array<AlignedVector<T>, 6> stress_;  ///< Pi_neq
+  std::array<AlignedVector<T>, 6> stress_;  ///< of Pi_neq
 };
 
 /// The friction of run `k` with those of later images in its row, which come after it.

@@ -36,7 +36,6 @@ class ResolvedFluid {
   static std::unique_ptr<ResolvedFluid> make(const FluidSetup& setup, const CouplingSetup& coupling);
   virtual ~ResolvedFluid() = default;
 
-  virtual std::size_t bytes() const = 0;
   virtual void initialise(ThreadTeam& team, const std::function<CellState(const Cells&)>& state) = 0;
   virtual Fluid::Totals totals(ThreadTeam& team) = 0;
   virtual std::vector<double> populations(ThreadTeam& team) = 0;
@@ -83,8 +82,6 @@ class ResolvedFluidOf final : public ResolvedFluid, private FluidOf<D3Q19, T> {
   /// After `prepare`, which cells the spheres cover.
   const CoveredRuns<T>& covered() const { return covered_; }
 
-  using Base::measure;
-  std::size_t bytes() const override { return Base::bytes(); }
   void initialise(ThreadTeam& team, const std::function<CellState(const Cells&)>& state) override {
     Base::initialise(team, state);
   }

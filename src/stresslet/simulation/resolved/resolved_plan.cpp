@@ -45,16 +45,6 @@ std::optional<SubgridCorrection> correction_of(const Case& c) {
   return correction;
 }
 
-void check_weight(const Case& c) {
-  const ResolutionInput& r = *c.resolution;
-  if (bears(*r.coupling, *r.solid_weight)) return;
-  refuse(c.where("resolution.solid_weight"),
-         fmt::format("the operator {} does not bear the weight {}", *r.coupling, *r.solid_weight),
-         "that weight comes close to 2, where this operator is stable up to 1",
-         "take resolution.solid_weight = \"noble-torczynski\" or \"linear\", or resolution.coupling = "
-         "\"superposition\"");
-}
-
 void check_flow(const Case& c, const ResolvedSetup& s) {
   const ResolutionInput& r = *c.resolution;
   if (s.mach() <= r.largest_mach) return;
@@ -99,7 +89,9 @@ ResolvedSetup resolved_setup(const Case& c, const Box& box, double smallest_radi
   s.coupling.solid.fraction = *r.solid_fraction;
   s.coupling.solid.weight = *r.solid_weight;
   s.box = box.kind;
-  check_weight(c);
+  require_borne(*r.coupling, *r.solid_weight, c.where("resolution.solid_weight"),
+                "take resolution.solid_weight = \"noble-torczynski\" or \"linear\", or resolution.coupling = "
+                "\"superposition\"");
   if (*std::max_element(s.cells.begin(), s.cells.end()) > most_cells_along)
     refuse(c.where("resolution.cells_per_diameter"),
            fmt::format("the lattice would have {} x {} x {} cells", s.cells[0], s.cells[1], s.cells[2]),

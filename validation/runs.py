@@ -7,15 +7,32 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 
+def plotting():
+    """pyplot that writes files. Asked for before the runs: without it the script ends at once and says what to do."""
+    try:
+        import matplotlib
+    except ModuleNotFoundError as missing:
+        sys.exit(f"{missing}\n  fix: apt-get install python3-matplotlib python3-numpy")
+    matplotlib.use("Agg")
+    import matplotlib.pyplot
+    return matplotlib.pyplot
+
+
 def run(binary, case, output, settings):
-    """Summary of one run; taken from `output` where it has finished before, gone on with where it was interrupted."""
-    summary = output / "summary.json"
+    """Summary of one run; taken from `output` where it has finished before, gone on with where it was interrupted. Ends
+    where `output` holds a run of other settings."""
+    summary, asked = output / "summary.json", output / "asked.json"
+    if asked.exists() and (before := json.loads(asked.read_text())) != settings:
+        other = ", ".join(f"{key}: {before.get(key)} there, {settings.get(key)} asked"
+                          for key in sorted({*before, *settings}) if before.get(key) != settings.get(key))
+        sys.exit(f"{output} holds a run of other settings ({other})\n  fix: another --output, or remove the folder")
     if summary.exists() and json.loads(summary.read_text())["status"] != "interrupted":
         return json.loads(summary.read_text())
     if (output / "results.h5").exists():
         command = [binary, "restart", output, "--quiet"]
     else:
-        output.parent.mkdir(parents=True, exist_ok=True)
+        output.mkdir(parents=True, exist_ok=True)
+        asked.write_text(json.dumps(settings, indent=1) + "\n")
         command = [binary, "run", ROOT / case, "--output", output, "--force", "--quiet"]
         for key, value in settings.items():
             command += ["--set", f"{key}={json.dumps(value)}"]

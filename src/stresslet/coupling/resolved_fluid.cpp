@@ -1,7 +1,7 @@
 #include "stresslet/coupling/resolved_fluid.hpp"
 
 #include <algorithm>
-#include <iterator>
+#include <numeric>
 #include <tuple>
 
 #include "stresslet/coupling/laws.hpp"
@@ -87,14 +87,24 @@ void ResolvedFluidOf<T>::prepare(Member& member, const std::vector<ResolvedSpher
 template <class T>
 void ResolvedFluidOf<T>::find_friction(Member& member) {
   const Range mine = member.share(covered_.images().size());
-  std::vector<SharedRun> all;
-  for (const auto& of_thread : shared_)
-    std::copy_if(of_thread.begin(), of_thread.end(), std::back_inserter(all), [&](const SharedRun& run) {
-      return std::size_t(run.first) >= mine.begin && std::size_t(run.first) < mine.end;
-    });
-  std::sort(all.begin(), all.end(), [](const SharedRun& a, const SharedRun& b) {
-    return std::tie(a.first, a.second, a.slot) < std::tie(b.first, b.second, b.slot);
-  });
+  const auto for_each_of_mine = [&](auto&& visit) {
+    for (const auto& of_thread : shared_)
+      for (const SharedRun& run : of_thread)
+        if (std::size_t(run.first) >= mine.begin && std::size_t(run.first) < mine.end)
+          visit(run, std::size_t(run.first) - mine.begin);
+  };
+  // By the first image by counting; those of one image, some tens, are sorted.
+  std::vector<std::size_t> begin(mine.end - mine.begin + 1, 0);
+  for_each_of_mine([&](const SharedRun&, std::size_t image) { ++begin[image + 1]; });
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<SharedRun> all(begin.back());
+  std::vector<std::size_t> next = begin;
+  for_each_of_mine([&](const SharedRun& run, std::size_t image) { all[next[image]++] = run; });
+  for (std::size_t k = 0; k + 1 < begin.size(); ++k)
+    std::sort(all.begin() + std::ptrdiff_t(begin[k]), all.begin() + std::ptrdiff_t(begin[k + 1]),
+              [](const SharedRun& a, const SharedRun& b) {
+                return std::tie(a.second, a.slot) < std::tie(b.second, b.slot);
+              });
   std::vector<PointFriction>& found = friction_of_[std::size_t(member.rank())];
   found.clear();
   for (auto group = all.begin(); group != all.end();) {

@@ -40,7 +40,8 @@ void free_sphere(Trial& trial) {
   const std::vector<std::pair<double, double>> published = trial.choose<std::vector<std::pair<double, double>>>(
       {{0.55, 1.225}, {0.65, 1.074}, {0.7, 1.028}, {0.8, 0.958}, {0.9, 0.903}, {1.4, 0.715}}, {{1.4, 0.715}});
   for (const auto& [tau, expected] : published) {
-    const ShearCell cell{.scheme = thesis_scheme(tau), .fixed = true};
+    // Half-way walls: those of Zou & He are unstable with BGK at 0.55; at 0.6 and 1.4 both give the same within 1e-4.
+    const ShearCell cell{.scheme = thesis_scheme(tau), .fixed = true, .walls = "half-way"};
     const double found = run_shear_cell(trial, cell, fmt::format("A1, fixed, tau {}", tau), 3e-4).stresslet;
     trial.row(fmt::format("5x5x5, superposition, fixed, tau {}: S/S0", tau), found, {expected, independent},
               absolute(0.002));

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -27,7 +28,8 @@ void check_energy_balance(const Series& series, double tolerance) {
   constexpr std::size_t fewest_rows = 20;
   const double now = series["strain"].back();
   if (now < monitor_window || series.size() < fewest_rows) return;
-  const std::size_t first = series.first_row_from(now - monitor_window);
+  // The first row is taken at the start, before fluid and spheres have found their velocities.
+  const std::size_t first = std::max<std::size_t>(series.first_row_from(now - monitor_window), 1);
   if (series.size() - first < fewest_rows) return;
   const double stress = mean_from(series["relative_viscosity"], first);
   const double dissipation = mean_from(series["relative_viscosity_from_dissipation"], first);

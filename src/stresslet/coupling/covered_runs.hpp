@@ -15,6 +15,7 @@
 
 #include "stresslet/coupling/spans.hpp"
 #include "stresslet/coupling/sphere_images.hpp"
+#include "stresslet/exec/aligned.hpp"
 #include "stresslet/exec/huge_array.hpp"
 #include "stresslet/exec/simd.hpp"
 #include "stresslet/exec/thread_team.hpp"
@@ -82,8 +83,8 @@ class CoveredRuns {
 
  private:
   /// What a member found of its share of the images. Sorted into rows by counting, in two passes: how many runs and
-  /// packs every member has in every row, then where each begins.
-  struct Found {
+  /// packs every member has in every row, then where each begins. A line of its own: every run moves the end of `runs`.
+  struct alignas(cache_line) Found {
     std::vector<CoveredRun> runs;                  ///< by slot, counted from 0
     std::vector<std::uint32_t> runs_in, packs_in;  ///< [row]: numbers, afterwards the place of the next one
   };

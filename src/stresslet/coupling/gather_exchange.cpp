@@ -104,13 +104,14 @@ void gather_exchange(const Lattice<Stencil, T>& lattice, int block, CoveredRuns<
   const Sources<Stencil, T> sources = sources_of(populations, lattice.arrangement);
 
   // The next row is placed before this one is read, so that its first lines can be asked for.
-  GatherRow<T> row(layout.size()[0]), next(layout.size()[0]);
+  GatherRow<T> rows[2]{GatherRow<T>(layout.size()[0]), GatherRow<T>(layout.size()[0])};
+  GatherRow<T>*row = &rows[0], *next = &rows[1];
   std::size_t at = first;
   const auto place_next = [&] {
     for (; at < last; ++at) {
       const Range runs = covered.runs_of_row(block, at);
       if (runs.begin == runs.end) continue;
-      next.place(covered, runs, layout.index(0, int(at % ny), int(at / ny)));
+      next->place(covered, runs, layout.index(0, int(at % ny), int(at / ny)));
       for (std::size_t k = runs.begin; k < runs.end; ++k) by_slot.ask_for(std::size_t(covered.runs()[k].slot));
       ++at;
       return true;
@@ -120,9 +121,9 @@ void gather_exchange(const Lattice<Stencil, T>& lattice, int block, CoveredRuns<
   for (bool more = place_next(); more;) {
     std::swap(row, next);
     more = place_next();
-    row.template read<Stencil>(sources, half_force, factors.kinetic_stress != 0, next);
-    sum_runs(covered, row, factors, by_slot, shared);
-    row.clear();
+    row->template read<Stencil>(sources, half_force, factors.kinetic_stress != 0, *next);
+    sum_runs(covered, *row, factors, by_slot, shared);
+    row->clear();
   }
 }
 

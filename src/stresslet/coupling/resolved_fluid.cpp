@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 #include <tuple>
+#include <utility>
 
 #include "stresslet/coupling/laws.hpp"
 
@@ -55,13 +56,15 @@ void ResolvedFluidOf<T>::prepare(Member& member, const std::vector<ResolvedSpher
     friction_of_.resize(std::size_t(member.size()));
   }
   member.barrier();
-  std::vector<SharedRun>& shared = shared_[std::size_t(member.rank())];
+  // Filled on this thread's stack: every run moves the end, and those of all threads share a cache line.
+  std::vector<SharedRun> shared = std::move(shared_[std::size_t(member.rank())]);
   shared.clear();
   for (std::size_t b = 0; b < lattice_.blocks.size(); ++b) {
     const Range rows = member.share(lattice_.blocks[b].populations.layout().rows());
     if (rows.begin < rows.end)
       gather_exchange(lattice_, int(b), covered_, factors_, rows.begin, rows.end, by_slot_, shared);
   }
+  shared_[std::size_t(member.rank())] = std::move(shared);
   member.barrier();
   const Range mine = member.share(spheres.size());
   for (std::size_t k = mine.begin; k < mine.end; ++k) {

@@ -52,8 +52,6 @@ void write_three(const std::filesystem::path& file) {
     writer.add_snapshot(snapshot(k));
     writer.set_profile({"velocity", "d shear rate", "mean velocity", {2, 3}, {0, 1, 2, 3, 4, double(k)}});
     writer.commit(checkpoint(k));
-    EXPECT_GT(writer.commit_cost(), 0);
-    EXPECT_LT(writer.commit_cost(), 10);
   }
 }
 

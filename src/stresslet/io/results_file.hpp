@@ -76,8 +76,6 @@ class ResultsWriter {
   /// Throws Error if the file cannot be written; the last commit then still stands and nothing collected is lost.
   /// `before_replacing` runs when the new file is complete, just before it takes the place of the old one.
   void commit(const Checkpoint& checkpoint, const std::function<void()>& before_replacing = {});
-  /// Wall-clock seconds of the last commit.
-  double commit_cost() const { return commit_cost_; }
 
   const std::vector<Column>& columns() const { return columns_; }
   /// Counts include what is not yet committed.
@@ -98,7 +96,6 @@ class ResultsWriter {
   std::vector<std::vector<double>> samples_;  // per column
   std::vector<Snapshot> snapshots_;
   std::vector<Profile> profiles_;
-  double commit_cost_ = 0;
 };
 
 }  // namespace stresslet

@@ -7,7 +7,6 @@
 #include <system_error>
 
 #include "stresslet/base/error.hpp"
-#include "stresslet/exec/timer.hpp"
 #include "stresslet/io/atomic_file.hpp"
 #include "stresslet/io/csv.hpp"
 #include "stresslet/io/extended_xyz.hpp"
@@ -99,7 +98,6 @@ void ResultsFolder::add_snapshot(Snapshot snapshot) {
 }
 
 void ResultsFolder::commit(const Checkpoint& checkpoint) {
-  const Timer timer;
   writer_.commit(checkpoint, [this] {
     if (old_files_)
       for (const char* name : beside_results) std::filesystem::remove(folder_ / name);
@@ -113,7 +111,6 @@ void ResultsFolder::commit(const Checkpoint& checkpoint) {
     replace_file(folder_ / xdmf_name, xdmf_text(steps_, results_file_name));
     described_steps_ = steps_.size();
   }
-  commit_cost_ = timer.seconds();
 }
 
 }  // namespace stresslet

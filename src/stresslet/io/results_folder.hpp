@@ -35,8 +35,6 @@ class ResultsFolder {
   void set_profile(Profile profile) { writer_.set_profile(std::move(profile)); }
   /// See ResultsWriter::commit.
   void commit(const Checkpoint& checkpoint);
-  /// Wall-clock seconds of the last commit, all files together.
-  double commit_cost() const { return commit_cost_; }
 
   std::size_t sample_count() const { return writer_.sample_count(); }
   std::size_t snapshot_count() const { return writer_.snapshot_count(); }
@@ -53,7 +51,6 @@ class ResultsFolder {
   std::string csv_, xyz_;  // text that is not in the files yet
   std::vector<XdmfStep> steps_;
   std::size_t described_steps_ = 0;  // in the XDMF file
-  double commit_cost_ = 0;
 };
 
 }  // namespace stresslet

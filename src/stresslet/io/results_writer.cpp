@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "stresslet/base/error.hpp"
-#include "stresslet/exec/timer.hpp"
 #include "stresslet/io/atomic_file.hpp"
 #include "stresslet/io/hdf5.hpp"
 #include "stresslet/io/results_file.hpp"
@@ -150,7 +149,6 @@ void ResultsWriter::write_to(hdf5::File& file, const Checkpoint& checkpoint) con
 }
 
 void ResultsWriter::commit(const Checkpoint& checkpoint, const std::function<void()>& before_replacing) {
-  const Timer timer;
   AtomicFile atomic(path_, new_file_ ? AtomicFile::Start::empty : AtomicFile::Start::copy_of_target);
   const auto fail = [&](const char* reason) {
     throw Error(ExitCode::internal, {path_.string(), "the results cannot be written", reason,
@@ -174,7 +172,6 @@ void ResultsWriter::commit(const Checkpoint& checkpoint, const std::function<voi
   snapshots_.clear();
   profiles_.clear();
   new_file_ = note_provenance_ = false;
-  commit_cost_ = timer.seconds();
 }
 
 }  // namespace stresslet

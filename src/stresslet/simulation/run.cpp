@@ -97,7 +97,7 @@ void check_explicit_stability(Run& run) {
     check_explicit_step(explicit_step_number(run.suspension, run.team), run.suspension.time.step);
 }
 
-void commit(Run& run) {
+void write_all(Run& run) {
   set_profiles(run.results, run.profile);
   Checkpoint checkpoint = make_checkpoint(run.suspension);
   add_run_state(checkpoint, run.profile.sums(), run.cost());
@@ -110,8 +110,12 @@ void commit(Run& run) {
   }
   run.results.commit(checkpoint);
   if (s.resolved) remove_other_populations(run.results.path(), s.steps);
-  run.commit_clock.restart();
   run.committed_strain = run.suspension.strain;
+}
+
+void commit(Run& run) {
+  run.commit_clock.run([&] { write_all(run); });
+  run.suspension.spent.output += run.commit_clock.cost();
 }
 
 void show_progress(Run& run) {
@@ -151,7 +155,7 @@ std::string advance(Run& run) {
     }
     if (sampled) {
       if (run.progress.due()) show_progress(run);
-      if (run.commit_clock.due(run.results.commit_cost())) commit(run);
+      if (run.commit_clock.due()) commit(run);
       if (precise_enough(run)) return "converged";
     }
     if (run.options.stop && *run.options.stop) return "interrupted";

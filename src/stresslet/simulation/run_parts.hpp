@@ -18,14 +18,22 @@ namespace stresslet {
 class CommitClock {
  public:
   explicit CommitClock(double interval) : interval_(interval) {}
-  bool due(double commit_cost) const {
-    return since_.seconds() >= std::max(interval_, commit_cost / largest_commit_share);
+  /// Whether a commit is due if it takes as long as the last one.
+  bool due() const { return since_.seconds() >= std::max(interval_, cost_ / largest_share); }
+  /// Commits, with everything that a commit writes.
+  void run(const std::function<void()>& commit) {
+    const Timer timer;
+    commit();
+    cost_ = timer.seconds();
+    since_.restart();
   }
-  void restart() { since_.restart(); }
+  /// Seconds of the last commit.
+  double cost() const { return cost_; }
 
  private:
-  static constexpr double largest_commit_share = 0.02;  // of the wall time
+  static constexpr double largest_share = 0.02;  // of the wall time
   double interval_;
+  double cost_ = 0;
   Timer since_;
 };
 

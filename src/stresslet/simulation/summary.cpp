@@ -105,7 +105,7 @@ std::string summary_json(const Case& settled, const Plan& plan, const Series& se
   if (cost.spent.sum() > 0) {
     const TimeSpent& t = cost.spent;
     const double all = t.sum();
-    j["time_share"] = {{"particles", t.particles / all}, {"analysis", t.analysis / all}};
+    j["time_share"] = {{"particles", t.particles / all}, {"analysis", t.analysis / all}, {"output", t.output / all}};
     if (plan.resolved) j["time_share"].update({{"coupling", t.coupling / all}, {"lattice", t.lattice / all}});
   }
   if (plan.resolved) {

@@ -43,8 +43,9 @@ struct TimeSpent {
   double coupling = 0;   ///< mapping spheres to cells and measuring the fluid there
   double lattice = 0;    ///< collisions and streaming, with the solid
   double analysis = 0;   ///< stress, dissipation, profiles
+  double output = 0;     ///< results and checkpoint
 
-  double sum() const { return particles + coupling + lattice + analysis; }
+  double sum() const { return particles + coupling + lattice + analysis + output; }
 };
 
 struct Suspension {

@@ -51,7 +51,6 @@ struct Run {
   FluidRunCost cost_before;  // of the sessions before this one
   std::int64_t first_step = 0, committed_step = 0;
   bool new_run = true, first_commit = true;  // no commit yet; none of this session
-  double commit_cost = 0;                    // seconds
   Timer wall;
 
   Run(const FluidCase& c, const FluidPlan& p, const RunOptions& o, ResultsFolder r)
@@ -133,8 +132,7 @@ void observe(Run& run) {
   if (fields && !run.new_run) write_fields(run, run.settled.output.fields, run.plan.fields_box);
 }
 
-void commit(Run& run) {
-  const Timer timer;
+void write_all(Run& run) {
   const std::filesystem::path& folder = run.results.path();
   write_populations(folder, run.step(), run.fluid->populations(run.team));
   for (Profile& profile : run.averages.profiles()) run.results.set_profile(std::move(profile));
@@ -148,9 +146,11 @@ void commit(Run& run) {
   run.results.commit(checkpoint);
   remove_other_populations(folder, run.step());
   run.new_run = run.first_commit = false;
-  run.commit_cost = timer.seconds();
-  run.commit_clock.restart();
   run.committed_step = run.step();
+}
+
+void commit(Run& run) {
+  run.commit_clock.run([&] { write_all(run); });
 }
 
 double largest_relative_change(const std::vector<double>& values) {
@@ -191,7 +191,7 @@ std::string advance_to_the_end(Run& run) {
     observe(run);
     if (run.progress.due()) show_progress(run);
     if (steady(run)) return "steady";
-    if (run.commit_clock.due(run.commit_cost)) commit(run);
+    if (run.commit_clock.due()) commit(run);
     if (run.options.stop && *run.options.stop) return "interrupted";
   }
   return "finished";

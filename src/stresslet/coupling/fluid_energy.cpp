@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "stresslet/coupling/laws.hpp"
 #include "stresslet/coupling/solid_row.hpp"
@@ -45,11 +46,10 @@ struct RowOfSolids {
   SolidRow<T> solid;
   AlignedVector<T> drag_square;
 
-  RowOfSolids(int nx, int block, std::size_t row, const CoveredRuns<T>& covered,
-              const std::vector<ResolvedSphere>& spheres)
-      : solid(nx), drag_square(std::size_t(nx + CoveredRuns<T>::width), T(0)) {
+  explicit RowOfSolids(int nx) : solid(nx), drag_square(std::size_t(nx + CoveredRuns<T>::width), T(0)) {}
+
+  void add(const CoveredRuns<T>& covered, const Range& runs, const std::vector<ResolvedSphere>& spheres) {
     using P = PackOf<T>;
-    const Range runs = covered.runs_of_row(block, row);
     for (std::size_t k = runs.begin; k < runs.end; ++k) {
       const CoveredRun& run = covered.runs()[k];
       const SphereImage& image = covered.images()[std::size_t(run.image)];
@@ -61,17 +61,23 @@ struct RowOfSolids {
       });
     }
   }
+  void clear(const CoveredRuns<T>& covered, const Range& runs) {
+    for (std::size_t k = runs.begin; k < runs.end; ++k) {
+      const CoveredRun& run = covered.runs()[k];
+      solid.clear(run);
+      std::fill_n(&drag_square[std::size_t(run.x)], run.packs * CoveredRuns<T>::width, T(0));
+    }
+  }
 };
 
 template <class Stencil, class T, class Collision, class Operator>
-FluidEnergy row_energy(const Lattice<Stencil, T>& lattice, int block, std::size_t row, const CoveredRuns<T>& covered,
-                       const std::vector<ResolvedSphere>& spheres, double shear_rate) {
+FluidEnergy row_energy(const Lattice<Stencil, T>& lattice, int block, std::size_t row, const RowOfSolids<T>& solids,
+                       double shear_rate) {
   using P = PackOf<T>;
   constexpr int width = CoveredRuns<T>::width;
   const auto& of_block = lattice.blocks[std::size_t(block)];
   const BlockLayout& layout = of_block.populations.layout();
   const int nx = layout.size()[0], ny = layout.size()[1], y = int(row) % ny, z = int(row) / ny;
-  const RowOfSolids<T> solids(nx, block, row, covered, spheres);
   const Sources<Stencil, T> sources = sources_of(of_block.populations, lattice.arrangement);
   const std::ptrdiff_t start = std::ptrdiff_t(layout.index(0, y, z));
   const double height = of_block.origin[1] + y - 0.5 * (lattice.grid.size[1] - 1);
@@ -80,6 +86,7 @@ FluidEnergy row_energy(const Lattice<Stencil, T>& lattice, int block, std::size_
   PackEnergy<P> sum;
   FluidEnergy found;
   for (int x = 0; x < nx; x += width) {
+    if (x % int(cache_line / sizeof(T)) == 0) prefetch_line<Stencil>(sources, start + x, prefetch_distance);
     const CellPopulations<Stencil, P> before = read_all(PackInPlace<Stencil, T>(sources, start + x));
     const Moments<P> m = moments_of(before);
     const P density = m.density();
@@ -111,6 +118,9 @@ FluidEnergy row_energy(const Lattice<Stencil, T>& lattice, int block, std::size_
     add(sum.free_cells, is_free), add(sum.free_velocity, is_free * u_before.x);
 
     const P speed_square = dot(u, u);
+    const auto usual = density >= P(T(found.lowest_density)) && density <= P(T(found.highest_density)) &&
+                       speed_square < P(std::numeric_limits<T>::max());
+    if (stdx::none_of(inside && !usual)) continue;
     for (int k = 0; k < std::min(width, nx - x); ++k)
       found.see({of_block.origin[0] + x + k, of_block.origin[1] + y, of_block.origin[2] + z}, double(density[k]),
                 std::isfinite(density[k]) && std::isfinite(speed_square[k]));
@@ -123,6 +133,19 @@ FluidEnergy row_energy(const Lattice<Stencil, T>& lattice, int block, std::size_
   found.stored_momentum = height * total(sum.stored_momentum);
   found.free = {total(sum.free_cells), total(sum.free_velocity)};
   return found;
+}
+
+template <class Stencil, class T, class Collision, class Operator>
+void energy_of_rows(const Lattice<Stencil, T>& lattice, int block, const CoveredRuns<T>& covered,
+                    const std::vector<ResolvedSphere>& spheres, double shear_rate, const Range& rows,
+                    FluidEnergy* by_row) {
+  RowOfSolids<T> solids(lattice.blocks[std::size_t(block)].populations.layout().size()[0]);
+  for (std::size_t row = rows.begin; row < rows.end; ++row) {
+    const Range runs = covered.runs_of_row(block, row);
+    solids.add(covered, runs, spheres);
+    by_row[row] = row_energy<Stencil, T, Collision, Operator>(lattice, block, row, solids, shear_rate);
+    solids.clear(covered, runs);
+  }
 }
 
 }  // namespace
@@ -141,7 +164,7 @@ RowEnergy<Stencil, T> row_energy_for(std::string_view collision, std::string_vie
   RowEnergy<Stencil, T> found = nullptr;
   CollisionLaws::dispatch(collision, [&](auto c) {
     CouplingOperators::dispatch(coupling_operator, [&](auto o) {
-      found = row_energy<Stencil, T, typename decltype(c)::type, typename decltype(o)::type>;
+      found = energy_of_rows<Stencil, T, typename decltype(c)::type, typename decltype(o)::type>;
     });
   });
   return found;

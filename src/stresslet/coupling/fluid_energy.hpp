@@ -44,11 +44,12 @@ struct FluidEnergy : DensityRange {
   double kinetic() const { return 0.5 * trace(reynolds); }
 };
 
-/// Of one row of cells, before it collides. `covered` holds the drags of the row's runs; `shear_rate` of the mean flow.
+/// Of rows of cells, before they collide, each to its place in `by_row`. `covered` holds the drags of the rows' runs;
+/// `shear_rate` of the mean flow.
 template <class Stencil, class T>
-using RowEnergy = FluidEnergy (*)(const Lattice<Stencil, T>& lattice, int block, std::size_t row,
-                                  const CoveredRuns<T>& covered, const std::vector<ResolvedSphere>& spheres,
-                                  double shear_rate);
+using RowEnergy = void (*)(const Lattice<Stencil, T>& lattice, int block, const CoveredRuns<T>& covered,
+                           const std::vector<ResolvedSphere>& spheres, double shear_rate, const Range& rows,
+                           FluidEnergy* by_row);
 
 template <class Stencil, class T>
 RowEnergy<Stencil, T> row_energy_for(std::string_view collision, std::string_view coupling_operator);

@@ -171,10 +171,9 @@ FluidEnergy ResolvedFluidOf<T>::energy(ThreadTeam& team, const std::vector<Resol
     covered_.place(member, spheres, lattice_.shear_offset, lattice_.shear_velocity);
     for (std::size_t b = 0; b < lattice_.blocks.size(); ++b) {
       const Range rows = member.share(lattice_.blocks[b].populations.layout().rows());
-      for (std::size_t row = rows.begin; row < rows.end; ++row) {
+      for (std::size_t row = rows.begin; row < rows.end; ++row)
         covered_.fill_drags(covered_.runs_of_row(int(b), row));
-        by_row[first_row[b] + row] = row_energy_(lattice_, int(b), row, covered_, spheres, shear_rate);
-      }
+      row_energy_(lattice_, int(b), covered_, spheres, shear_rate, rows, &by_row[first_row[b]]);
     }
   });
   FluidEnergy sum;

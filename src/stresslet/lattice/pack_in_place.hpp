@@ -20,6 +20,9 @@ Sources<Stencil, T> sources_of(const Populations<Stencil, T>& populations, Arran
   return sources;
 }
 
+/// Bytes ahead of use at which a line is asked for; without, the sweep runs at half its speed or less.
+inline constexpr std::ptrdiff_t prefetch_distance = 256;
+
 /// Asks for a cache line of every population, `distance` bytes after index `first`.
 template <class Stencil, class T>
 [[gnu::always_inline]] inline void prefetch_line(const Sources<Stencil, T>& sources, std::ptrdiff_t first,

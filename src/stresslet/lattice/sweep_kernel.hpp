@@ -10,9 +10,6 @@
 
 namespace stresslet {
 
-// Bytes ahead of use at which a line is asked for; without, the kernel runs at half its speed or less.
-constexpr std::ptrdiff_t prefetch_distance = 256;
-
 /// Where the last cells of a row are stepped that do not fill a pack, so that they go through the same instructions as
 /// all others: a compiler that fuses multiplications and additions need not do so alike in two copies of the code.
 template <class Stencil, class T>

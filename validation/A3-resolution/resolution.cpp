@@ -13,8 +13,8 @@ void usual_sum_of_bounce_back(Trial& trial) {
   for (const int n : {10, 20}) {
     const ShearCell cell{.scheme = thesis_scheme(0.7, "bounce-back"), .cells_per_diameter = n, .fixed = true};
     const double found = run_shear_cell(trial, cell, fmt::format("A3, bounce-back, N = {}", n), 3e-4).stresslet;
-    trial.row(fmt::format("bounce-back, tau 0.7, N = {}: usual sum", n), found,
-              {0.4, "Najuch 2018: 40 % at any N"}, absolute(0.1));
+    trial.row(fmt::format("bounce-back, tau 0.7, N = {}: usual sum", n), found, {0.4, "Najuch 2018: 40 % at any N"},
+              absolute(0.1));
     table.values[0].push_back(n);
     table.values[1].push_back(found);
   }

@@ -59,15 +59,16 @@ void CoveredRuns<T>::find_runs(Found& found, const Range& images) {
   found.runs.clear();
   found.runs_in.assign(first_row_.back(), 0);
   found.packs_in.assign(first_row_.back(), 0);
+  const int grain = grain_in_x(grid_.size[0]);
   const auto add_row = [&](std::size_t image, const RowSpan& row) {
     if (row.y < 0 || row.y >= grid_.size[1] || row.z < 0 || row.z >= grid_.size[2]) return;
     const auto [block_y, y] = places_[1][std::size_t(row.y)];
     const auto [block_z, z] = places_[2][std::size_t(row.z)];
     const int end = std::min(row.touched.end, grid_.size[0]);
     for (int x = std::max(row.touched.begin, 0); x < end;) {
-      const int next = std::min((x / run_length + 1) * run_length, end);
       const auto [block_x, local_x] = places_[0][std::size_t(x)];
       const std::size_t block = std::size_t(block_x + block_y + block_z);
+      const int next = std::min({(x / grain + 1) * grain, x - local_x + boxes_[block].size[0], end});
       const std::size_t in_row = first_row_[block] + std::size_t(y + boxes_[block].size[1] * z);
       const int aligned = local_x / width * width, first = x - (local_x - aligned);
       const int packs = (next - first + width - 1) / width;

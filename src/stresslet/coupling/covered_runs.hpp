@@ -1,10 +1,11 @@
 #pragma once
-/// Which cells the spheres cover, as runs: the part of one row of cells that one image covers, cut at multiples of
-/// `run_length` cells.
+/// Which cells the spheres cover, as runs: the part of one row of cells that one image covers, cut where blocks may
+/// begin
+/// (`grain_in_x`).
 ///
 /// Runs lie in memory row by row, so that kernels walk through them and the lattice together. Each has a `slot`, its
 /// place in the order of images: sums over a sphere go through its slots, and have the same bits for any number of
-/// threads and blocks (blocks begin at multiples of `run_length` along x).
+/// threads and blocks.
 ///
 /// `fill_drags` costs, per covered pack of cells at the surface, one evaluation of the solid-fraction law in registers
 /// (some 60 operations for plane-cut) and one store; packs inside are filled.
@@ -23,7 +24,6 @@
 
 namespace stresslet {
 
-inline constexpr int run_length = 16;
 inline constexpr int most_cells_along = 32767;  ///< an axis
 
 /// Small, because every step writes all of them, twice, and the second time all over memory.

@@ -20,7 +20,7 @@ class GatherRow {
  public:
   using P = PackOf<T>;
   static constexpr int width = CoveredRuns<T>::width, line = cache_line / sizeof(T);
-  static_assert(run_length % width == 0);
+  static_assert(grain_in_x(1) % width == 0);
 
   explicit GatherRow(int nx)
       : covered_line_(std::size_t(nx / line + 1), 0), whole_(std::size_t(nx + line), T(0)), density_(whole_.size()) {

@@ -104,10 +104,9 @@ void ResolvedFluidOf<T>::find_friction(Member& member) {
   std::vector<std::size_t> next = begin;
   for_each_of_mine([&](const SharedRun& run, std::size_t image) { all[next[image]++] = run; });
   for (std::size_t k = 0; k + 1 < begin.size(); ++k)
-    std::sort(all.begin() + std::ptrdiff_t(begin[k]), all.begin() + std::ptrdiff_t(begin[k + 1]),
-              [](const SharedRun& a, const SharedRun& b) {
-                return std::tie(a.second, a.slot) < std::tie(b.second, b.slot);
-              });
+    std::sort(
+        all.begin() + std::ptrdiff_t(begin[k]), all.begin() + std::ptrdiff_t(begin[k + 1]),
+        [](const SharedRun& a, const SharedRun& b) { return std::tie(a.second, a.slot) < std::tie(b.second, b.slot); });
   std::vector<PointFriction>& found = friction_of_[std::size_t(member.rank())];
   found.clear();
   for (auto group = all.begin(); group != all.end();) {
@@ -171,8 +170,7 @@ FluidEnergy ResolvedFluidOf<T>::energy(ThreadTeam& team, const std::vector<Resol
     covered_.place(member, spheres, lattice_.shear_offset, lattice_.shear_velocity);
     for (std::size_t b = 0; b < lattice_.blocks.size(); ++b) {
       const Range rows = member.share(lattice_.blocks[b].populations.layout().rows());
-      for (std::size_t row = rows.begin; row < rows.end; ++row)
-        covered_.fill_drags(covered_.runs_of_row(int(b), row));
+      for (std::size_t row = rows.begin; row < rows.end; ++row) covered_.fill_drags(covered_.runs_of_row(int(b), row));
       row_energy_(lattice_, int(b), covered_, spheres, shear_rate, rows, &by_row[first_row[b]]);
     }
   });

@@ -25,15 +25,15 @@ struct BlockBox {
   Cells origin, size;
 };
 
-/// Along x blocks begin at multiples of this where that leaves every block a cell, so that SIMD packs hold the same
-/// cells whatever the division.
-inline constexpr int block_grain_in_x = 16;
+/// Along x blocks begin at multiples of this where that leaves every block a cell, so that SIMD packs, and sums along a
+/// row, hold the same cells whatever the division. Coarser in longer rows: fewer sums.
+inline constexpr int grain_in_x(int cells) { return cells < 64 ? 16 : cells < 128 ? 32 : 64; }
 
 /// The blocks of a grid, x fastest, as equal in size as the grain allows.
 inline std::vector<BlockBox> block_boxes(const Grid& grid) {
   const auto start = [&](int axis, int k) {
     const int n = grid.size[axis], blocks = grid.blocks[axis];
-    const int grain = axis == 0 && n > block_grain_in_x * (blocks - 1) ? block_grain_in_x : 1;
+    const int grain = axis == 0 && n > grain_in_x(n) * (blocks - 1) ? grain_in_x(n) : 1;
     const int grains = (n + grain - 1) / grain;
     return k == blocks ? n : grain * int(std::int64_t(grains) * k / blocks);
   };

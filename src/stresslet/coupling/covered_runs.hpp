@@ -1,7 +1,6 @@
 #pragma once
-/// Which cells the spheres cover, as runs: the part of one row of cells that one image covers, cut where blocks may
-/// begin
-/// (`grain_in_x`).
+/// Which cells the spheres cover, as runs: the part of one row of cells that one image covers, cut where
+/// blocks may begin (`grain_in_x`).
 ///
 /// Runs lie in memory row by row, so that kernels walk through them and the lattice together. Each has a `slot`, its
 /// place in the order of images: sums over a sphere go through its slots, and have the same bits for any number of

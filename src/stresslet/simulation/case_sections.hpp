@@ -127,9 +127,8 @@ struct OutputInput {
     v.key("profile_bins", profile_bins, defaulted, between(1, 10'000), "1",
           "Layers across the gradient in which profiles are averaged");
     v.key("commit_every", commit_every, defaulted, between(0, 86400), "s",
-          "Wall time between two safe writes of results and checkpoint, longer where they take more than a fiftieth of "
-          "the "
-          "time: what a killed run loses at most");
+          "Wall time between two safe writes of results and checkpoint, longer where they take more than a fiftieth "
+          "of the time: what a killed run loses at most");
     v.key("csv", csv, defaulted, anything(), "", "Write the series as CSV too");
     v.key("xyz", xyz, defaulted, anything(), "", "Write the snapshots as extended XYZ (OVITO) too");
     v.key("paraview", paraview, defaulted, anything(), "", "Write what ParaView needs to open the snapshots");

@@ -165,19 +165,22 @@ void CoveredRuns<T>::fill(const Range& runs) {
   using P = PackOf<T>;
   const P lanes([](auto k) { return T(k); });
   const P full = weight.drag(P(T(1)));
+  const bool has_core = laws_.core_weight < weight.weight(1.0);
+  const P core = has_core ? P(T(drag_from_weight(laws_.core_weight))) : full;
   for (std::size_t k = runs.begin; k < runs.end; ++k) {
     CoveredRun& run = runs_.data()[k];
     if (run.filled) continue;
     run.filled = true;
     const SphereImage& image = images_[std::size_t(run.image)];
     const Vec3<double> arm = run.arm(image.centre);
+    const double core_radius = has_core ? std::max(image.radius - core_depth, 0.0) : 0;
     for (int p = 0; p < run.packs; ++p) {
       const int x = p * width;
+      const Vec3<P> offset{P(T(arm.x + x)) + lanes, P(T(arm.y)), P(T(arm.z))};
       P value = full;
-      if (x < run.full_begin || x + width > run.full_end) {
-        const Vec3<P> offset{P(T(arm.x + x)) + lanes, P(T(arm.y)), P(T(arm.z))};
+      if (x < run.full_begin || x + width > run.full_end)
         value = weight.drag(fraction.fraction(offset, P(T(image.radius))));
-      }
+      if (core_radius > 0) stdx::where(dot(offset, offset) < P(T(core_radius * core_radius)), value) = core;
       // A pack may reach into the next run, or beyond the domain.
       if (x < run.begin || x + width > run.end) {
         const P place = P(T(x)) + lanes;

@@ -44,9 +44,13 @@ struct CoveredRun {
 };
 static_assert(sizeof(CoveredRun) == 32);
 
+/// The core of a sphere: cells more than this far, in cells, inside its surface. No flow reaches them.
+inline constexpr double core_depth = 2;
+
 struct SolidLaws {
   std::string fraction = "plane-cut", weight = "viscosity-scaled";
   double relaxation_time = 1;
+  double core_weight = 2;  ///< largest solid weight in the core
 };
 
 /// `T` of the drags: that of the lattice.

@@ -16,6 +16,21 @@ FluidSetup with_force(FluidSetup setup) {
   return setup;
 }
 
+ExchangeFactors factors_of(const std::string& coupling_operator) {
+  ExchangeFactors factors;
+  CouplingOperators::dispatch(coupling_operator, [&](auto law) {
+    using Law = typename decltype(law)::type;
+    factors = {Law::exchange, Law::kinetic_stress_factor};
+  });
+  return factors;
+}
+
+double core_weight_of(const std::string& coupling_operator) {
+  double weight = 0;
+  CouplingOperators::dispatch(coupling_operator, [&](auto law) { weight = decltype(law)::type::core_weight; });
+  return weight;
+}
+
 double velocity_difference(const FluidSetup& setup) {
   if (setup.grid.closure[1] == Closure::sheared) return setup.shear_velocity_lu;
   if (setup.grid.closure[1] != Closure::open) return 0;
@@ -37,12 +52,9 @@ ResolvedFluidOf<T>::ResolvedFluidOf(const FluidSetup& setup, const CouplingSetup
       resolved_sweep_(resolved_sweep_for<Stencil, T>(setup.collision, coupling.coupling_operator, false)),
       forced_sweep_(resolved_sweep_for<Stencil, T>(setup.collision, coupling.coupling_operator, true)),
       row_energy_(row_energy_for<Stencil, T>(setup.collision, coupling.coupling_operator)),
-      covered_(setup.grid, {coupling.solid.fraction, coupling.solid.weight, setup.rates.relaxation_time}) {
-  CouplingOperators::dispatch(coupling.coupling_operator, [&](auto law) {
-    using Law = typename decltype(law)::type;
-    factors_ = {Law::exchange, Law::kinetic_stress_factor};
-  });
-}
+      covered_(setup.grid, {coupling.solid.fraction, coupling.solid.weight, setup.rates.relaxation_time,
+                            core_weight_of(coupling.coupling_operator)}),
+      factors_(factors_of(coupling.coupling_operator)) {}
 
 template <class T>
 void ResolvedFluidOf<T>::prepare(Member& member, const std::vector<ResolvedSphere>& spheres) {

@@ -16,6 +16,7 @@ struct Holdych {
   static constexpr double exchange = 2;
   static constexpr double kinetic_stress_factor = -1;
   static constexpr double largest_weight = 1;
+  static constexpr double core_weight = largest_weight;
 
   template <class Collision, class Forcing, class Populations, class R>
   [[gnu::always_inline]] static Vec3<R> collide(

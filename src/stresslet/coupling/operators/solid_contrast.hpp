@@ -14,9 +14,9 @@
 /// the force on the particle is the opposite. The last three let cells relax their stress with the rate (1-B)/tau and
 /// so carry the kinetic stress of kinetic_stress.hpp, which belongs to the particle.
 ///
-/// Pattern of an operator: `name`, `summary`, `exchange`, `kinetic_stress_factor`, `largest_weight`, and
-/// `collide<Collision, Forcing>(f, rates, force, solid)`, which replaces f by f' and returns the momentum given. No
-/// branch: cells with B = 0 come out as from the fluid's collision.
+/// Pattern of an operator: `name`, `summary`, `exchange`, `kinetic_stress_factor`, `largest_weight`, `core_weight` (the
+/// largest in the core of a sphere, covered_runs.hpp), and `collide<Collision, Forcing>(f, rates, force, solid)`, which
+/// replaces f by f' and returns the momentum given. No branch: cells with B = 0 come out as from the fluid's collision.
 #include "stresslet/coupling/covered_cell.hpp"
 #include "stresslet/lattice/collide.hpp"
 

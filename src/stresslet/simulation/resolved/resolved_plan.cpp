@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "stresslet/base/error.hpp"
+#include "stresslet/coupling/operators/holdych.hpp"
 #include "stresslet/coupling/subgrid/calibrated_lengths.hpp"
 #include "stresslet/coupling/weight_choice.hpp"
 #include "stresslet/exec/huge_array.hpp"
@@ -155,6 +156,11 @@ std::vector<std::string> resolved_warnings(const Case& c, const ResolvedSetup& s
   if (s.rates.relaxation_time < 0.55 || s.rates.relaxation_time > 2)
     found.push_back(
         fmt::format("relaxation time {:.3g} lies outside the verified range, 0.55 to 2", s.rates.relaxation_time));
+  if (s.coupling.coupling_operator == Holdych::name)
+    found.emplace_back(
+        "holdych reflects the momentum of solid cells and does not damp it: in spheres that move, disturbances grow "
+        "and "
+        "end the run within a strain of 1 or 2; half-holdych does not");
   if (s.rates.relaxation_time > 1.5 && s.reynolds > 0.02)
     found.emplace_back(
         "relaxation time above 1.5 at Re > 0.02: compressed fluid reads the viscosity some per cent low");

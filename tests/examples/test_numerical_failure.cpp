@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "../program.hpp"
+#include "stresslet/io/csv.hpp"
 #include "stresslet/io/results_file.hpp"
 
 namespace stresslet {
@@ -23,12 +24,17 @@ TEST(NumericalFailure, StopsWithAMessageAndKeepsTheLastGoodState) {
   EXPECT_THAT(failed.err, HasSubstr("start a new run with a smaller time.step"));
   EXPECT_FALSE(std::filesystem::exists(results + "/summary.json"));
 
+  const std::string rest = results + "/uncommitted.csv";
+  EXPECT_THAT(failed.err, HasSubstr(rest));
+  EXPECT_GT(read_csv(rest).rows(), 10u);
+
   EXPECT_GE(ResultsReader(results + "/results.h5").sample_count(), 1u);
   const Outcome again = stresslet(restart_arguments(results));
   EXPECT_EQ(again.code, 3);
   const Outcome tolerant = stresslet(restart_arguments(results, {"run.monitor_tolerance=0.2", "run.strain=0.22"}));
   EXPECT_EQ(tolerant.code, 0) << tolerant.err;
   EXPECT_EQ(ResultsReader(results + "/results.h5").sample_count(), 221u);
+  EXPECT_FALSE(std::filesystem::exists(rest));
 }
 
 /// The failure of a run that was replaced by force leaves no summary of the earlier one.

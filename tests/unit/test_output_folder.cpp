@@ -79,6 +79,25 @@ TEST(ResultsFolder, ARestartRebuildsWhatAKilledRunLeftBehind) {
   EXPECT_EQ(read_csv(folder / "series.csv").rows(), 4u);
 }
 
+TEST(ResultsFolder, SamplesOfAFailedRunAreKeptApartUntilItGoesOn) {
+  const TemporaryFolder folder;
+  {
+    ResultsFolder results = start(folder.path());
+    add_interval(results, 0);
+    results.commit(checkpoint(0));
+    EXPECT_FALSE(results.keep_uncommitted());
+    add_interval(results, 1);
+    EXPECT_TRUE(results.keep_uncommitted());
+  }
+  EXPECT_EQ(read_csv(folder / "series.csv").rows(), 2u);
+  const CsvTable rest = read_csv(folder / uncommitted_csv_name);
+  EXPECT_EQ(rest.names, (std::vector<std::string>{"strain", "time", "relative_viscosity"}));
+  ASSERT_EQ(rest.rows(), 2u);
+  for (std::size_t row = 0; row < 2; ++row) EXPECT_EQ(rest.column("relative_viscosity")[row], sample(2 + row)[2]);
+  resume(folder.path());
+  EXPECT_FALSE(std::filesystem::exists(folder / uncommitted_csv_name));
+}
+
 TEST(ResultsFolder, ExistingResultsAreKeptUnlessForced) {
   const TemporaryFolder folder;
   {

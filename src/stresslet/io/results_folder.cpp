@@ -17,7 +17,8 @@ namespace {
 constexpr const char* csv_name = "series.csv";
 constexpr const char* xyz_name = "particles.xyz";
 constexpr const char* xdmf_name = "particles.xdmf";
-constexpr const char* beside_results[] = {csv_name, xyz_name, xdmf_name, "summary.json", "picture.png"};
+constexpr const char* beside_results[] = {csv_name,       xyz_name,     xdmf_name, uncommitted_csv_name,
+                                          "summary.json", "picture.png"};
 
 }  // namespace
 
@@ -57,6 +58,7 @@ ResultsFolder ResultsFolder::resume(std::filesystem::path folder, std::vector<Co
       ResultsWriter::resume(folder / results_file_name, std::move(columns), std::move(resolved_input), std::move(from));
   ResultsFolder results(std::move(folder), std::move(writer), choice);
   results.old_files_ = false;
+  std::filesystem::remove(results.folder_ / uncommitted_csv_name);
   results.rebuild_from_results();
   return results;
 }
@@ -111,6 +113,12 @@ void ResultsFolder::commit(const Checkpoint& checkpoint) {
     replace_file(folder_ / xdmf_name, xdmf_text(steps_, results_file_name));
     described_steps_ = steps_.size();
   }
+}
+
+bool ResultsFolder::keep_uncommitted() {
+  if (csv_.empty()) return false;
+  replace_file(folder_ / uncommitted_csv_name, csv_header(writer_.columns()) + csv_);
+  return true;
 }
 
 }  // namespace stresslet

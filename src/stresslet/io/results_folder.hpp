@@ -11,6 +11,8 @@
 
 namespace stresslet {
 
+inline constexpr const char* uncommitted_csv_name = "uncommitted.csv";
+
 /// Makes the folder if needed and tries to write there. InputError if it cannot be written, or if it holds results
 /// already and `force` is false. Deletes nothing: old results go at the first commit of the new run.
 void prepare_output_folder(const std::filesystem::path& folder, bool force);
@@ -35,6 +37,9 @@ class ResultsFolder {
   void set_profile(Profile profile) { writer_.set_profile(std::move(profile)); }
   /// See ResultsWriter::commit.
   void commit(const Checkpoint& checkpoint);
+  /// Where a run fails: puts the samples since the last commit into uncommitted.csv, which a new run or a continuation
+  /// removes. Whether there were any, and series.csv was chosen.
+  bool keep_uncommitted();
 
   std::size_t sample_count() const { return writer_.sample_count(); }
   std::size_t snapshot_count() const { return writer_.snapshot_count(); }

@@ -183,7 +183,7 @@ ExitCode finish(Run& run) {
 ExitCode commit_and_finish(Run& run) {
   commit_before_running([&] { commit(run); });
   return finish_or_explain(
-      run.results.path(), "the last snapshot (suspension.file)", [&] { return finish(run); },
+      run.results, "the last snapshot (suspension.file)", [&] { return finish(run); },
       [&] { return fmt::format("strain {:.6g}", run.committed_strain); });
 }
 

@@ -12,17 +12,20 @@ void commit_before_running(const std::function<void()>& commit) {
   }
 }
 
-ExitCode finish_or_explain(const std::filesystem::path& results, std::string_view start,
-                           const std::function<ExitCode()>& finish, const std::function<std::string()>& committed) {
+ExitCode finish_or_explain(ResultsFolder& results, std::string_view start, const std::function<ExitCode()>& finish,
+                           const std::function<std::string()>& committed) {
   try {
     return finish();
   } catch (const NumericalFailure& failure) {
+    const std::string folder = results.path().string();
+    const std::string rest = results.keep_uncommitted()
+                                 ? fmt::format("; later rows of the series in {}/{}", folder, uncommitted_csv_name)
+                                 : "";
     throw NumericalFailure(
         {"",
-         fmt::format(
-             "{}\n  kept: all results up to {}. 'stresslet restart {}' goes on from there with the same physics "
-             "and time step; a new run can start from {}",
-             failure.what(), committed(), results.string(), start),
+         fmt::format("{}\n  kept: all results up to {}{}. 'stresslet restart {}' goes on from there with the same "
+                     "physics and time step; a new run can start from {}",
+                     failure.what(), committed(), rest, folder, start),
          "", ""});
   }
 }

@@ -1,7 +1,6 @@
 #pragma once
 /// What runs of every fidelity share: when to commit, what a failure says, what a restart may change.
 #include <algorithm>
-#include <filesystem>
 #include <functional>
 #include <span>
 #include <string>
@@ -10,6 +9,7 @@
 
 #include "stresslet/base/error.hpp"
 #include "stresslet/exec/timer.hpp"
+#include "stresslet/io/results_folder.hpp"
 
 namespace stresslet {
 
@@ -40,10 +40,10 @@ class CommitClock {
 /// The first commit, before the first step: what cannot be written, or was damaged, is wrong input.
 void commit_before_running(const std::function<void()>& commit);
 
-/// Runs `finish`; to a failure it adds what is kept: `committed` says up to when ("strain 2"), `start` what a new run
-/// can start from.
-ExitCode finish_or_explain(const std::filesystem::path& results, std::string_view start,
-                           const std::function<ExitCode()>& finish, const std::function<std::string()>& committed);
+/// Runs `finish`. Where it fails numerically, the samples since the last commit go to a file of their own, and the
+/// message says what is kept: `committed` up to when ("strain 2"), `start` what a new run can start from.
+ExitCode finish_or_explain(ResultsFolder& results, std::string_view start, const std::function<ExitCode()>& finish,
+                           const std::function<std::string()>& committed);
 
 /// Throws InputError for an override of a key that is not `changeable`. `instead` says how to get another run.
 void refuse_changed_physics(const std::vector<std::string>& overrides, std::span<const std::string_view> changeable,

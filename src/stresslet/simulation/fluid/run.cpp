@@ -234,7 +234,7 @@ ExitCode commit_and_finish(Run& run) {
     write_fields(run, run.settled.output.fields, run.plan.fields_box);
   }
   return finish_or_explain(
-      run.results.path(), "fields of all cells (initial.file)", [&] { return finish(run); },
+      run.results, "fields of all cells (initial.file)", [&] { return finish(run); },
       [&] { return fmt::format("time {:.6g}", run.plan.time(run.committed_step)); });
 }
 

@@ -14,6 +14,7 @@
 #include <cmath>
 
 #include "stresslet/base/vec3.hpp"
+#include "stresslet/exec/simd.hpp"
 
 namespace stresslet {
 
@@ -33,12 +34,16 @@ struct RowSpan {
 namespace detail {
 
 /// Squared distance, along one axis, from the coordinate `centre` to the nearest and the farthest point of cell `i`.
-inline double nearest_squared(int i, double centre) {
-  const double d = std::max(std::abs(i - centre) - 0.5, 0.0);
+template <class R>
+R nearest_squared(const R& i, double centre) {
+  using std::abs, std::max;
+  const R d = max(R(abs(i - centre) - 0.5), R(0.0));
   return d * d;
 }
-inline double farthest_squared(int i, double centre) {
-  const double d = std::abs(i - centre) + 0.5;
+template <class R>
+R farthest_squared(const R& i, double centre) {
+  using std::abs;
+  const R d = abs(i - centre) + 0.5;
   return d * d;
 }
 
@@ -47,31 +52,47 @@ inline CellRange integers_within(double centre, double reach) {
   return {int(std::floor(centre - reach)) + 1, int(std::ceil(centre + reach))};
 }
 
+/// As many rows as a pack has lanes; the cells are integers. Rows with touched.end <= touched.begin have none.
+struct RowPack {
+  alignas(Pack) double touched_begin[pack_width], touched_end[pack_width], full_begin[pack_width], full_end[pack_width];
+
+  /// `touch`, `fill`: squared radii less the squared distances across rows, along x and their second axis.
+  RowPack(double centre_x, const Pack& touch, const Pack& fill) {
+    const Pack reach = stdx::sqrt(stdx::max(touch, Pack(0.0))) + 0.5;
+    const Pack begin = stdx::floor(centre_x - reach) + 1.0, end = stdx::ceil(centre_x + reach);
+    const Pack inner = stdx::sqrt(stdx::max(fill, Pack(0.0))) - 0.5;
+    const Pack inner_begin = stdx::ceil(centre_x - inner), inner_end = stdx::floor(centre_x + inner) + 1.0;
+    const auto has_full = fill >= 0.25 && inner_end > inner_begin;
+    store(touched_begin, begin);
+    store(touched_end, select(touch > 0.0, end, begin));
+    store(full_begin, select(has_full, inner_begin, end));
+    store(full_end, select(has_full, inner_end, end));
+  }
+};
+
 }  // namespace detail
 
-/// Calls `visit(RowSpan)` for every row with a touched cell, y fastest.
+/// Calls `visit(RowSpan)` for every row with a touched cell, y fastest. Rows are found a pack at a time: two square
+/// roots each, which one by one made up a third of the time that it takes to find what spheres cover.
 template <class Visit>
 void for_each_row_of_sphere(const Vec3<double>& centre, double touch_radius, double full_radius, Visit&& visit) {
   const double touch = touch_radius * touch_radius, fill = full_radius * full_radius;
+  const Pack lanes([](auto k) { return double(k); });
   const CellRange planes = detail::integers_within(centre.z, touch_radius + 0.5);
   for (int z = planes.begin; z < planes.end; ++z) {
-    const double touch_z = touch - detail::nearest_squared(z, centre.z);
-    const double fill_z = fill - detail::farthest_squared(z, centre.z);
+    const double touch_z = touch - detail::nearest_squared(double(z), centre.z);
+    const double fill_z = fill - detail::farthest_squared(double(z), centre.z);
     if (touch_z <= 0) continue;
     const CellRange rows = detail::integers_within(centre.y, std::sqrt(touch_z) + 0.5);
-    for (int y = rows.begin; y < rows.end; ++y) {
-      const double touch_x = touch_z - detail::nearest_squared(y, centre.y);
-      if (touch_x <= 0) continue;
-      RowSpan row{y, z, detail::integers_within(centre.x, std::sqrt(touch_x) + 0.5), {0, 0}};
-      if (row.touched.size() <= 0) continue;
-      row.full = {row.touched.end, row.touched.end};
-      const double fill_x = fill_z - detail::farthest_squared(y, centre.y);
-      if (fill_x >= 0.25) {
-        const double reach = std::sqrt(fill_x) - 0.5;
-        const CellRange full{int(std::ceil(centre.x - reach)), int(std::floor(centre.x + reach)) + 1};
-        if (full.size() > 0) row.full = full;
+    for (int first = rows.begin; first < rows.end; first += int(pack_width)) {
+      const Pack y = double(first) + lanes;
+      const detail::RowPack found(centre.x, touch_z - detail::nearest_squared(y, centre.y),
+                                  fill_z - detail::farthest_squared(y, centre.y));
+      for (int k = 0; k < int(pack_width) && first + k < rows.end; ++k) {
+        const CellRange touched{int(found.touched_begin[k]), int(found.touched_end[k])};
+        if (touched.size() > 0)
+          visit(RowSpan{first + k, z, touched, {int(found.full_begin[k]), int(found.full_end[k])}});
       }
-      visit(row);
     }
   }
 }

@@ -2,24 +2,28 @@
 
 #include <cmath>
 
+#include "stresslet/base/unroll.hpp"
+#include "stresslet/exec/simd.hpp"
 #include "stresslet/lattice/laws.hpp"
 
 namespace stresslet {
 
 namespace {
 
-/// The populations that a cell sent out in the sweep that started from `swept`, as they still lie.
-template <class Stencil, class T>
-std::array<double, Stencil::size> outgoing(const Populations<Stencil, T>& populations, Arrangement swept,
-                                           std::size_t index) {
-  std::array<double, Stencil::size> f;
-  for (int i = 0; i < Stencil::size; ++i) f[i] = populations.source(opposite(i), swept)[index];
-  return f;
+/// `cells` values from `from`, at most a pack, in double precision; zeros after them.
+template <class T>
+Pack load_some(const T* from, int cells) {
+  if (cells >= int(pack_width)) return Pack(from, stdx::element_aligned);
+  return Pack([&](auto k) { return int(k) < cells ? double(from[k]) : 0.0; });
+}
+void store_some(double* to, const Pack& values, int cells) {
+  if (cells >= int(pack_width)) return values.copy_to(to, stdx::element_aligned);
+  for (int k = 0; k < cells; ++k) to[k] = values[std::size_t(k)];
 }
 
 template <class Stencil>
-CellPopulations<Stencil, double> in_pairs(const std::array<double, Stencil::size>& f) {
-  CellPopulations<Stencil, double> cell;
+CellPopulations<Stencil, Pack> in_pairs(const std::array<Pack, Stencil::size>& f) {
+  CellPopulations<Stencil, Pack> cell;
   cell.rest = f[0];
   for (int k = 0; k < Stencil::pairs; ++k) {
     const int i = first_of_pair(k);
@@ -28,17 +32,12 @@ CellPopulations<Stencil, double> in_pairs(const std::array<double, Stencil::size
   return cell;
 }
 
-template <class Stencil>
-std::array<double, Stencil::size> equilibrium(double density_deviation, const Vec3<double>& velocity) {
-  const Equilibrium<Stencil, double> eq(density_deviation, velocity);
-  std::array<double, Stencil::size> f;
-  f[0] = eq.rest();
-  unroll<Stencil::pairs>([&](auto k) {
-    const EvenOdd<double> pair = eq.template pair<first_of_pair(k)>();
-    f[first_of_pair(k)] = 0.5 * (pair.even + pair.odd);
-    f[first_of_pair(k) + 1] = 0.5 * (pair.even - pair.odd);
-  });
-  return f;
+/// feq_i(u + jump x) - feq_i(u), with the difference written out.
+template <class Stencil, int i, class R>
+R equilibrium_change(const R& density, const Vec3<R>& velocity, double jump) {
+  constexpr double w = Stencil::weight[i], cx = Stencil::velocity[i][0];
+  const R along_c = along<Stencil, i>(velocity);
+  return w * jump * density * (3 * cx + cx * (9 * along_c + 4.5 * cx * jump) - 3 * velocity.x - 1.5 * jump);
 }
 
 int wrapped(int k, int n) { return ((k % n) + n) % n; }
@@ -66,38 +65,46 @@ ShearedBoundary<Stencil, T>::ShearedBoundary(const Grid& grid, std::string_view 
 }
 
 template <class Stencil, class T>
-void ShearedBoundary<Stencil, T>::collect(const Lattice<Stencil, T>& lattice, Arrangement swept, Member& member) {
-  const Vec3<double> half_force = 0.5 * lattice.input.force_density;
-  for (int side = 0; side < 2; ++side) {
-    const int up = side == 0 ? 1 : -1;
-    constexpr std::array<std::array<int, crossing>, 2> populations_of_side{crossing_populations(1),
-                                                                           crossing_populations(-1)};
-    const auto& crossing_of_side = populations_of_side[std::size_t(side)];
-    const double jump = -up * lattice.shear_velocity;
-    for (const auto& block : lattice.blocks) {
-      const BlockLayout& layout = block.populations.layout();
-      const int y = (up > 0 ? ny_ - 1 : 0) - block.origin[1];
-      if (y < 0 || y >= layout.size()[1]) continue;
-      const Range planes = member.share(std::size_t(layout.size()[2]));
-      for (int z = int(planes.begin); z < int(planes.end); ++z)
-        for (int x = 0; x < layout.size()[0]; ++x) {
-          const auto f = outgoing(block.populations, swept, layout.index(x, y, z));
-          const Moments<double> m = moments_of(in_pairs<Stencil>(f));
-          const Vec3<double> u = (m.momentum - half_force) / m.density();
-          const auto here = equilibrium<Stencil>(m.density_deviation, u);
-          const auto there = equilibrium<Stencil>(m.density_deviation, {u.x + jump, u.y, u.z});
-          double mass = 1.0 / 6;
-          for (const int i : crossing_of_side) mass += f[i];
-          const double missing = 0.5 * jump * (mass - m.density() * (1.0 / 6 + 0.5 * up * u.y));
-          for (int k = 0; k < crossing; ++k) {
-            const int i = crossing_of_side[k];
-            const auto& c = Stencil::velocity[i];
-            row(side, k, block.origin[2] + z)[block.origin[0] + x] =
-                f[i] + (there[i] - here[i]) + (c[2] == 0 ? c[0] * missing : 0);
-          }
-        }
-    }
+template <int up>
+void ShearedBoundary<Stencil, T>::collect_side(const Lattice<Stencil, T>& lattice, Arrangement swept, Member& member) {
+  constexpr auto crossing_of_side = crossing_populations(up);
+  constexpr int side = up > 0 ? 0 : 1;
+  const double jump = -up * lattice.shear_velocity;
+  const Vec3<double>& force = lattice.input.force_density;
+  const Vec3<Pack> half_force{0.5 * force.x, 0.5 * force.y, 0.5 * force.z};
+  for (const auto& block : lattice.blocks) {
+    const BlockLayout& layout = block.populations.layout();
+    const int y = (up > 0 ? ny_ - 1 : 0) - block.origin[1];
+    if (y < 0 || y >= layout.size()[1]) continue;
+    std::array<const T*, Stencil::size> sent;  // what cells sent out, where it still lies
+    for (int i = 0; i < Stencil::size; ++i) sent[i] = block.populations.source(opposite(i), swept);
+    const Range planes = member.share(std::size_t(layout.size()[2]));
+    for (int z = int(planes.begin); z < int(planes.end); ++z)
+      for (int x = 0; x < layout.size()[0]; x += int(pack_width)) {
+        const int cells = layout.size()[0] - x;
+        std::array<Pack, Stencil::size> f;
+        for (int i = 0; i < Stencil::size; ++i) f[i] = load_some(sent[i] + layout.index(x, y, z), cells);
+        const Moments<Pack> m = moments_of(in_pairs<Stencil>(f));
+        const Pack density = m.density();
+        const Vec3<Pack> u = (m.momentum - half_force) / density;
+        Pack mass = 1.0 / 6;
+        for (const int i : crossing_of_side) mass += f[i];
+        const Pack missing = 0.5 * jump * (mass - density * (1.0 / 6 + 0.5 * up * u.y));
+        unroll<crossing>([&](auto k) {
+          constexpr int i = crossing_of_side[k];
+          constexpr auto c = Stencil::velocity[i];
+          Pack value = f[i] + equilibrium_change<Stencil, i>(density, u, jump);
+          if constexpr (c[2] == 0) value += double(c[0]) * missing;
+          store_some(row(side, k, block.origin[2] + z) + block.origin[0] + x, value, cells);
+        });
+      }
   }
+}
+
+template <class Stencil, class T>
+void ShearedBoundary<Stencil, T>::collect(const Lattice<Stencil, T>& lattice, Arrangement swept, Member& member) {
+  collect_side<1>(lattice, swept, member);
+  collect_side<-1>(lattice, swept, member);
 }
 
 template <class Stencil, class T>

@@ -33,6 +33,8 @@ class ShearedBoundary : public Boundary<Stencil, T> {
   static constexpr std::array<int, crossing> crossing_populations(int up);
 
   void collect(const Lattice<Stencil, T>& lattice, Arrangement swept, Member& member);
+  template <int up>
+  void collect_side(const Lattice<Stencil, T>& lattice, Arrangement swept, Member& member);
   void deliver(Lattice<Stencil, T>& lattice, Arrangement next, double offset, Member& member) const;
   double* row(int side, int k, int z) {
     return departed_.data() + std::size_t(nx_) * (std::size_t(z) + std::size_t(nz_) * std::size_t(k + crossing * side));

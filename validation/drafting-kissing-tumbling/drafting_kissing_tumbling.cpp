@@ -3,8 +3,9 @@
 /// second 0.34 cm below the first, on the axis, from rest. The upper one, in the wake of the lower, falls faster
 /// (drafting), touches it (kissing), and the pair, unstable end on, turns over (tumbling).
 ///
-/// Terminal velocity of one sphere alone from Schiller & Naumann, C_D = 24/Re (1 + 0.15 Re^0.687), which knows no walls:
-/// in a box half as wide again, with more cells for the thin boundary layer of a sphere that no wake drags along.
+/// Terminal velocity of one sphere alone from Schiller & Naumann, C_D = 24/Re (1 + 0.15 Re^0.687), which knows no
+/// walls: in a box half as wide again, with more cells for the thin boundary layer of a sphere that no wake drags
+/// along.
 #include <algorithm>
 #include <cmath>
 

@@ -55,13 +55,18 @@ void add_restart(CLI::App& app, ExitCode& code, const std::string& command_line)
       "restart",
       "Continue a run from its last checkpoint, bit for bit; --set may change [run], as in run.strain=20 or "
       "run.end_time=20");
-  command->add_option("RESULTS", arguments->options.output, "Folder of the run")->required();
+  command->add_option("RESULTS", arguments->file, "Folder of the run")->required();
+  command->add_option(
+      "--output", arguments->options.output,
+      "With --set fidelity=resolved: folder of the new, resolved run that starts from the last state of "
+      "a lubricated one");
+  command->add_flag("--force", arguments->options.force, "Replace results that lie in --output already");
   command->add_flag("--quiet", arguments->options.quiet, "No progress line");
   add_overrides(*command, arguments->overrides);
   command->callback([arguments, &code, command_line] {
     arguments->options.command_line = command_line;
     listen_for_stop(arguments->options);
-    code = restart_any_run(arguments->overrides, arguments->options);
+    code = restart_any_run(arguments->file, arguments->overrides, arguments->options);
   });
 }
 

@@ -140,5 +140,40 @@ TEST_F(ResolvedRun, KeepsItsFidelityOnRestart) {
   EXPECT_THAT(other.err, AllOf(HasSubstr("fidelity cannot be changed by a restart"), HasSubstr("suspension.file")));
 }
 
+/// The last state, not the last snapshot, which is that of the start here.
+TEST_F(ResolvedRun, StartsFromTheLastStateOfALubricatedRun) {
+  const std::string lubricated = finished("lubricated", {"fidelity=lubricated", "run.strain=0.013"});
+  const std::string before = content_of(lubricated + "/results.h5");
+  std::vector<std::string> arguments =
+      restart_arguments(lubricated, {"fidelity=resolved", "run.strain=0.006", "contact.friction=0"});
+  const Outcome nowhere = stresslet(arguments);
+  EXPECT_EQ(nowhere.code, 2);
+  EXPECT_THAT(nowhere.err, HasSubstr("--output"));
+
+  arguments.insert(arguments.end(), {"--output", place_ / "resolved"});
+  const Outcome outcome = stresslet(arguments);
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(content_of(lubricated + "/results.h5"), before);
+  const Checkpoint end = ResultsReader(lubricated + "/results.h5").checkpoint();
+  const Snapshot start = ResultsReader(place_ / "resolved/results.h5").snapshot(0);
+  EXPECT_EQ(start.strain, 0);
+  EXPECT_EQ(start.box.offset, std::get<double>(end.scalars.at("box_offset")));
+  EXPECT_GT(start.box.offset, 0.01);
+  const auto& id = std::get<std::vector<std::int32_t>>(end.arrays.at("state_id"));
+  const auto& y = std::get<std::vector<double>>(end.arrays.at("state_y"));
+  ASSERT_EQ(id.size(), 36u);
+  for (std::size_t k = 0; k < id.size(); ++k) EXPECT_EQ(start.position[3 * std::size_t(id[k]) + 1], y[k]);
+}
+
+TEST_F(ResolvedRun, RestartsInItsOwnFolder) {
+  const std::string results = finished("results", {"run.strain=0.01"});
+  std::vector<std::string> arguments = restart_arguments(results, {"run.strain=0.02"});
+  arguments.insert(arguments.end(), {"--output", place_ / "elsewhere"});
+  const Outcome outcome = stresslet(arguments);
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("goes on in the folder of its run"));
+  EXPECT_FALSE(std::filesystem::exists(place_ / "elsewhere"));
+}
+
 }  // namespace
 }  // namespace stresslet

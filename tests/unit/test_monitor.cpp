@@ -52,6 +52,32 @@ TEST(EnergyBalance, CountsStoredEnergy) {
   EXPECT_NO_THROW(check_energy_balance(series, 0.01));
 }
 
+/// Summed viscosity 4, flux as given; momentum that grows by 0.5 a unit of strain stays in the box.
+Series series_with_flux(double flux) {
+  Series series(FluidColumns::resolved_and_sheared);
+  Sample sample;
+  sample.stress.contact.xy = 3;
+  sample.dissipation_lubrication = 3;
+  FluidSample fluid;
+  fluid.viscosity_through_plane = flux;
+  for (int k = 0; k <= 50; ++k) {
+    fluid.stored_momentum = 0.005 * k;
+    series.add(0.01 * k, sample, 10, 1, fluid);
+  }
+  return series;
+}
+
+TEST(StressClosure, HoldsWithinTheTolerance) {
+  for (const double flux : {4.2, 4.5, 4.9}) EXPECT_NO_THROW(check_stress_closure(series_with_flux(flux), 0.1));
+  for (const double flux : {4.0, 5.1}) {
+    const std::string message = failure_of([&] { check_stress_closure(series_with_flux(flux), 0.1); });
+    EXPECT_THAT(message, AllOf(HasSubstr("4.5 from the sum"), HasSubstr("between strain 0.3 and 0.5"),
+                               HasSubstr("\n  why: "), HasSubstr("\n  fix: ")));
+  }
+}
+
+TEST(StressClosure, IsNotAskedWhereThereIsNoFlux) { EXPECT_NO_THROW(check_stress_closure(series_up_to(0.5, 3), 1e-9)); }
+
 Suspension two_particles() {
   Suspension s;
   s.state.resize(2);

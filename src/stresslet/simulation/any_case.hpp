@@ -25,7 +25,9 @@ std::string resolved_toml(const AnyCase& settled);
 std::string plan_report(const AnyCase& settled);
 
 ExitCode run_case(const AnyCase& settled, const RunOptions& options);
-/// Continues whatever run lies in `options.output`.
-ExitCode restart_any_run(const std::vector<std::string>& overrides, const RunOptions& options);
+/// Continues whatever run lies in `folder`, there; `options.output` is empty. One exception: where `overrides` turn a
+/// lubricated run into a resolved one, its last state is the start of a new run in `options.output`.
+ExitCode restart_any_run(const std::filesystem::path& folder, const std::vector<std::string>& overrides,
+                         RunOptions options);
 
 }  // namespace stresslet

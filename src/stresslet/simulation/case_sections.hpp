@@ -106,7 +106,7 @@ struct RunInput {
     v.key("threads", threads, defaulted, between(0, 1024), "1",
           "Threads; 0 takes all cores. Results do not depend on it");
     v.key("monitor_tolerance", monitor_tolerance, defaulted, above(0), "1",
-          "Relative mismatch of stress power and dissipation that stops the run");
+          "Relative mismatch that stops the run: stress power against dissipation; resolved, stress against flux too");
   }
 
   friend bool operator==(const RunInput&, const RunInput&) = default;

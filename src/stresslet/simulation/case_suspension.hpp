@@ -62,8 +62,9 @@ struct SuspensionInput {
     v.key("box_aspect", box_aspect, otherwise("`[1.0, 1.0, 1.0]` unless `file` is given"), between(0.01, 100), "1",
           "Proportions of the box along flow, gradient and vorticity");
     v.key("file", file, otherwise("a random packing is made"), anything(), "",
-          "Start configuration, CSV or extended XYZ, in place of solid_fraction, count, box_aspect and sizes");
-    v.key("box", box, otherwise("the Lattice of an extended XYZ `file`"), above(0), "d1",
+          "Start configuration, results.h5 of a run, extended XYZ or CSV, in place of solid_fraction, count, "
+          "box_aspect and sizes");
+    v.key("box", box, otherwise("that of `file`, which a CSV does not have"), above(0), "d1",
           "Lengths of the box for the start configuration in `file`");
     v.section("sizes", sizes,
               "Size distribution. Left out, it is two sizes, 1 : 1.4, with equal volumes, which does not crystallise.");

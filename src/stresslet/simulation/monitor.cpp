@@ -5,11 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
+#include <span>
 
 #include "stresslet/base/error.hpp"
 #include "stresslet/lattice/moments.hpp"
 #include "stresslet/simulation/cell_defect.hpp"
 #include "stresslet/simulation/resolved/resolved_flow.hpp"
+#include "stresslet/simulation/stress_closure.hpp"
 
 namespace stresslet {
 
@@ -18,21 +21,29 @@ namespace {
 constexpr double monitor_window = 0.2;
 constexpr double largest_sphere_mach = 0.3;  // density changes with its square
 
-double mean_from(const std::vector<double>& values, std::size_t first) {
-  return std::accumulate(values.begin() + long(first), values.end(), 0.0) / double(values.size() - first);
+double mean_of(std::span<const double> values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / double(values.size());
+}
+
+/// First row of the last `monitor_window`; none before there is one with rows enough.
+std::optional<std::size_t> window_start(const Series& series) {
+  constexpr std::size_t fewest_rows = 20;
+  const double now = series["strain"].back();
+  if (now < monitor_window || series.size() < fewest_rows) return std::nullopt;
+  // The first row is taken at the start, before fluid and spheres have found their velocities.
+  const std::size_t first = std::max<std::size_t>(series.first_row_from(now - monitor_window), 1);
+  if (series.size() - first < fewest_rows) return std::nullopt;
+  return first;
 }
 
 }  // namespace
 
 void check_energy_balance(const Series& series, double tolerance) {
-  constexpr std::size_t fewest_rows = 20;
+  const std::optional<std::size_t> first = window_start(series);
+  if (!first) return;
   const double now = series["strain"].back();
-  if (now < monitor_window || series.size() < fewest_rows) return;
-  // The first row is taken at the start, before fluid and spheres have found their velocities.
-  const std::size_t first = std::max<std::size_t>(series.first_row_from(now - monitor_window), 1);
-  if (series.size() - first < fewest_rows) return;
-  const double stress = mean_from(series["relative_viscosity"], first);
-  const double dissipation = mean_from(series["relative_viscosity_from_dissipation"], first);
+  const double stress = mean_of(std::span(series["relative_viscosity"]).subspan(*first));
+  const double dissipation = mean_of(std::span(series["relative_viscosity_from_dissipation"]).subspan(*first));
   if (std::abs(dissipation - stress) <= tolerance * std::abs(stress)) return;
   throw NumericalFailure(
       {"",
@@ -43,6 +54,26 @@ void check_energy_balance(const Series& series, double tolerance) {
        "oscillates in the thin films and loses contacts, and then the viscosity is wrong too",
        "start a new run with a smaller time.step, or with time.scheme = \"semi-implicit\"; only where the mismatch is "
        "known to be harmless, go on with a larger run.monitor_tolerance"});
+}
+
+void check_stress_closure(const Series& series, double tolerance) {
+  const std::optional<std::size_t> first = window_start(series);
+  if (!first || !series.has("relative_viscosity_through_plane")) return;
+  const double now = series["strain"].back();
+  const double flux = mean_of(std::span(series["relative_viscosity_through_plane"]).subspan(*first));
+  const double difference = mean_of(closure_differences(series, *first));
+  if (std::abs(difference) <= tolerance * std::abs(flux)) return;
+  throw NumericalFailure(
+      {"",
+       fmt::format("the summed stress and the flux of momentum through the sheared plane, or into the walls, part: "
+                   "relative viscosity {:.4g} from the sum, growth of momentum included, {:.4g} from the flux, between "
+                   "strain {:.4g} and {:.4g}",
+                   flux + difference, flux, now - monitor_window, now),
+       "momentum that the spheres hand on must come out of the box; a fluid that is compressed, or near instability, "
+       "keeps it",
+       "start a new run with a smaller resolution.relaxation_time or flow.reynolds, or with more "
+       "resolution.cells_per_diameter; only where the mismatch is known to be harmless, go on with a larger "
+       "run.monitor_tolerance"});
 }
 
 void check_finite(const Suspension& s) {

@@ -9,6 +9,10 @@ namespace stresslet {
 /// blow up but lose contacts and dissipate far too much (docs/theory.md). `tolerance` is relative to the viscosity.
 void check_energy_balance(const Series& series, double tolerance);
 
+/// The same of the summed stress against the flux through the sheared plane, or against what walls feel, in a series
+/// that has it (stress_closure.hpp): a part of the stress that is missing, counted twice or not in balance.
+void check_stress_closure(const Series& series, double tolerance);
+
 /// Position, velocity and angular velocity of every particle are finite.
 void check_finite(const Suspension& s);
 

@@ -81,7 +81,10 @@ void take_sample(Run& run) {
   if (s.resolved) fluid = sample_fluid(s, run.team);
   s.spent.analysis += timer.seconds();
   run.results.add_sample(run.series.add(s.strain, m, double(run.plan.count()), s.solver_report.iterations, fluid));
-  if (s.box.shear_rate > 0) check_energy_balance(run.series, run.settled.run.monitor_tolerance);
+  if (s.box.shear_rate > 0) {
+    check_energy_balance(run.series, run.settled.run.monitor_tolerance);
+    check_stress_closure(run.series, run.settled.run.monitor_tolerance);
+  }
   if (s.strain < run.settled.run.average_from.value_or(profile_from_without_average) - strain_round_off) return;
   run.profile.add(s.state.y, s.state.ux, s.state.radius);
   if (s.resolved) run.fluid_profile.add(s.resolved->last_planes());
@@ -183,7 +186,7 @@ ExitCode finish(Run& run) {
 ExitCode commit_and_finish(Run& run) {
   commit_before_running([&] { commit(run); });
   return finish_or_explain(
-      run.results, "the last snapshot (suspension.file)", [&] { return finish(run); },
+      run.results, "its last state (suspension.file)", [&] { return finish(run); },
       [&] { return fmt::format("strain {:.6g}", run.committed_strain); });
 }
 
@@ -229,7 +232,7 @@ ExitCode run_case(const Case& settled, const RunOptions& options) {
 ExitCode restart_run(const std::vector<std::string>& overrides, const RunOptions& options) {
   const ResultsReader reader(options.output / results_file_name);
   refuse_changed_physics(overrides, changeable_by_restart,
-                         "start a new run from the last snapshot with suspension.file");
+                         "start a new run from its last state with suspension.file = its results.h5");
   const Case settled =
       read_case_text(reader.resolved_input(), (options.output / results_file_name).string(), overrides);
   const Plan plan = make_restart_plan(settled, reader);

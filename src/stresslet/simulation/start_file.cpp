@@ -5,7 +5,9 @@
 #include "stresslet/base/error.hpp"
 #include "stresslet/io/csv.hpp"
 #include "stresslet/io/extended_xyz.hpp"
+#include "stresslet/io/results_file.hpp"
 #include "stresslet/particles/packing/from_columns.hpp"
+#include "stresslet/simulation/stored.hpp"
 
 namespace stresslet {
 
@@ -53,6 +55,41 @@ ParticleColumns columns_of(const XyzFrame& frame) {
   return c;
 }
 
+ParticleColumns columns_of(const Checkpoint& checkpoint) {
+  const auto column = [&](const char* name) {
+    return stored<std::vector<double>>(checkpoint.arrays, std::string("state_") + name);
+  };
+  ParticleColumns c;
+  c.x = column("x"), c.y = column("y"), c.z = column("z"), c.radius = column("radius");
+  c.ux = column("ux"), c.uy = column("uy"), c.uz = column("uz");
+  c.wx = column("wx"), c.wy = column("wy"), c.wz = column("wz");
+  c.species = stored<std::vector<std::int32_t>>(checkpoint.arrays, "state_species");
+  const auto& id = stored<std::vector<std::int32_t>>(checkpoint.arrays, "state_id");
+  c.id.assign(id.begin(), id.end());
+  return c;
+}
+
+BoxGeometry box_of(const Checkpoint& checkpoint) {
+  const auto scalar = [&](const char* name) { return stored<double>(checkpoint.scalars, name); };
+  return {{scalar("box_length_x"), scalar("box_length_y"), scalar("box_length_z")}, scalar("box_offset")};
+}
+
+/// Particles of a file, and its box where it has one.
+struct FileContent {
+  ParticleColumns columns;
+  std::optional<BoxGeometry> box;
+};
+
+FileContent read_content(const std::filesystem::path& path) {
+  if (path.extension() == ".csv") return {columns_of(read_csv(path)), std::nullopt};
+  if (path.extension() == ".h5") {
+    const Checkpoint checkpoint = ResultsReader(path).checkpoint();
+    return {columns_of(checkpoint), box_of(checkpoint)};
+  }
+  const XyzFrame frame = read_last_xyz_frame(path);
+  return {columns_of(frame), frame.box};
+}
+
 }  // namespace
 
 StartConfiguration read_start(const Case& settled, double density) {
@@ -60,28 +97,19 @@ StartConfiguration read_start(const Case& settled, double density) {
   StartConfiguration start;
   start.box.kind = settled.flow.boundary;
   start.box.shear_rate = start.box.kind == BoxKind::periodic ? 0.0 : 1.0;
-  bool has_box = settled.suspension.box.has_value();
-  if (has_box) start.box.length = *settled.suspension.box;
-
-  ParticleColumns columns;
-  if (path.extension() == ".csv") {
-    columns = columns_of(read_csv(path));
-  } else {
-    const XyzFrame frame = read_last_xyz_frame(path);
-    columns = columns_of(frame);
-    if (frame.box && !has_box) {
-      start.box.length = {frame.box->length[0], frame.box->length[1], frame.box->length[2]};
-      if (start.box.kind == BoxKind::lees_edwards) start.box.offset = frame.box->offset;
-      has_box = true;
-    }
-  }
-  if (!has_box)
+  const FileContent content = read_content(path);
+  if (settled.suspension.box) {
+    start.box.length = *settled.suspension.box;
+  } else if (content.box) {
+    start.box.length = {content.box->length[0], content.box->length[1], content.box->length[2]};
+    if (start.box.kind == BoxKind::lees_edwards) start.box.offset = content.box->offset;
+  } else
     throw InputError({settled.where("suspension.file"), "no box: " + path.string() + " does not give one",
                       "the solid fraction and all images follow from the lengths of the box",
                       "add box = [Lx, Ly, Lz] to [suspension], or a Lattice to an extended XYZ file"});
   ColumnLimits limits;
   limits.density = density;
-  start.state = state_from_columns(columns, start.box, limits, path.string());
+  start.state = state_from_columns(content.columns, start.box, limits, path.string());
   return start;
 }
 

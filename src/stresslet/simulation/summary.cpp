@@ -9,6 +9,7 @@
 
 #include "stresslet/io/provenance.hpp"
 #include "stresslet/rheology/steady_state.hpp"
+#include "stresslet/simulation/stress_closure.hpp"
 
 namespace stresslet {
 
@@ -29,14 +30,9 @@ namespace {
 
 nlohmann::ordered_json as_json(const Estimate& e) { return {{"mean", e.mean}, {"error", e.error}}; }
 
-/// Relative difference of the summed stress and the growth of stored momentum from the flux through the sheared plane.
+/// Mean of `closure_differences`, relative to the flux.
 Estimate stress_closure(const Series& series, const AveragingWindow& window) {
-  const auto &summed = series["relative_viscosity"], &plane = series["relative_viscosity_through_plane"],
-             &stored = series["stored_momentum"], &strain = series["strain"];
-  std::vector<double> difference;
-  for (std::size_t k = std::max<std::size_t>(window.first_row, 1); k < summed.size(); ++k)
-    difference.push_back(summed[k] + (stored[k] - stored[k - 1]) / (strain[k] - strain[k - 1]) - plane[k]);
-  Estimate closure = estimate_mean(difference);
+  Estimate closure = estimate_mean(closure_differences(series, window.first_row));
   const double scale = mean_over(series, window, "relative_viscosity_through_plane").mean;
   closure.mean /= scale, closure.error /= std::abs(scale);
   return closure;

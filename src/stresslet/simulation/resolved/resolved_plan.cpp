@@ -151,7 +151,8 @@ std::vector<std::string> resolved_warnings(const Case& c, const ResolvedSetup& s
   else if (across < 8)
     found.push_back(
         fmt::format("the smallest particle is {:.2g} cells across: drag errs by 1.5 % at 8, 3 % at 6", across));
-  if (density_ratio < 0.1 || density_ratio > 100)
+  constexpr double round_off = 1e-9;
+  if (density_ratio < 0.1 * (1 - round_off) || density_ratio > 100 * (1 + round_off))
     found.push_back(fmt::format("density ratio {:.3g} lies outside the verified range, 0.1 to 100", density_ratio));
   if (s.rates.relaxation_time < 0.55 || s.rates.relaxation_time > 2)
     found.push_back(

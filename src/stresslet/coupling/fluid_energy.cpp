@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "stresslet/coupling/advected_moments.hpp"
 #include "stresslet/coupling/laws.hpp"
 #include "stresslet/coupling/solid_row.hpp"
 #include "stresslet/lattice/laws.hpp"
@@ -81,16 +82,18 @@ FluidEnergy row_energy(const Lattice<Stencil, T>& lattice, int block, std::size_
   const Sources<Stencil, T> sources = sources_of(of_block.populations, lattice.arrangement);
   const std::ptrdiff_t start = std::ptrdiff_t(layout.index(0, y, z));
   const double height = of_block.origin[1] + y - 0.5 * (lattice.grid.size[1] - 1);
+  const P odd_to_shear(T(lattice.input.rates.shear / lattice.input.rates.odd));
   const P mean_flow(T(shear_rate * height)), lanes([](auto k) { return T(k); });
   typename Collision::template Cell<Stencil, P> collision(lattice.input.rates);
   PackEnergy<P> sum;
   FluidEnergy found;
   for (int x = 0; x < nx; x += width) {
     if (x % int(cache_line / sizeof(T)) == 0) prefetch_line<Stencil>(sources, start + x, prefetch_distance);
-    const CellPopulations<Stencil, P> before = read_all(PackInPlace<Stencil, T>(sources, start + x));
-    const Moments<P> m = moments_of(before);
+    const CellPopulations<Stencil, P> read = read_all(PackInPlace<Stencil, T>(sources, start + x));
+    const Moments<P> m = moments_of(read);
     const P density = m.density();
     const Vec3<P> u_before = m.momentum / density;
+    const CellPopulations<Stencil, P> before = without_advected_moments(read, u_before, odd_to_shear);
     const Equilibrium<Stencil, P> eq(m.density_deviation, u_before);
     const P drag = solids.solid.drag(x);
     const CoveredCell<P> solid = solids.solid.cell(x);

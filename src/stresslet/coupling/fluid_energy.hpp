@@ -6,9 +6,9 @@
 /// populations, so that a step changes it by
 ///   sum F.u  -  sum over cells, i of (n_i^2 - n'_i^2)/(6 w_i),
 /// F = e B rho (us - u*) the momentum given to the fluid (e: `exchange` of the operator) and u = u* + F/(2 rho) the
-/// mean velocity over the step. The shear moments of the last sum are 2 nu rho E:E; the others, of the order of the
-/// truncation in smooth flow, add up to some per cent at the rims of spheres. The spheres of a cell (shared_cells.hpp)
-/// spend  sum_k F_k.us_k, so that
+/// mean velocity over the step; n without what motion past the lattice adds to it (advected_moments.hpp). The shear
+/// moments of the last sum are 2 nu rho E:E; the others, of the order of the truncation in smooth flow, add up to some
+/// per cent at the rims of spheres. The spheres of a cell (shared_cells.hpp) spend  sum_k F_k.us_k, so that
 ///   slip = e rho [B (1 - e B/2) (us - u*)^2 + sum_k B_k us_k^2 - B us^2]
 /// is lost between solid and fluid, besides the friction between the spheres. Without body force.
 ///

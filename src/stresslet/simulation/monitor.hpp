@@ -6,7 +6,8 @@
 namespace stresslet {
 
 /// Stress power against dissipation over the last 0.2 of strain: the detector of steps that are too long, which do not
-/// blow up but lose contacts and dissipate far too much (docs/theory.md). `tolerance` is relative to the viscosity.
+/// blow up but lose contacts and dissipate far too much (docs/theory.md). `tolerance` is relative to the viscosity and
+/// to the scatter of samples: at 0.1 three standard errors are allowed besides a tenth of the viscosity.
 void check_energy_balance(const Series& series, double tolerance);
 
 /// The same of the summed stress against the flux through the sheared plane, or against what walls feel, in a series

@@ -37,19 +37,23 @@ const std::vector<CalibratedLengths>& calibrated_lengths() {
 
 SubgridCorrection calibrated_correction(const std::string& coupling_operator, const std::string& weight,
                                         const std::string& collision, double relaxation_time, const std::string& law) {
-  for (const CalibratedLengths& row : calibrated_lengths())
-    if (row.coupling_operator == coupling_operator && row.weight == weight && row.collision == collision &&
-        row.law == law && row.lowest_relaxation_time <= relaxation_time &&
-        relaxation_time <= row.highest_relaxation_time)
+  std::string known = "superposition, viscosity-scaled and TRT";
+  for (const CalibratedLengths& row : calibrated_lengths()) {
+    if (row.coupling_operator != coupling_operator || row.weight != weight || row.collision != collision ||
+        row.law != law)
+      continue;
+    if (row.lowest_relaxation_time <= relaxation_time && relaxation_time <= row.highest_relaxation_time)
       return {law, row.lengths, {}, row.at_walls};
+    known = fmt::format("a relaxation time between {} and {}", row.lowest_relaxation_time, row.highest_relaxation_time);
+  }
   throw InputError({"",
                     fmt::format("no calibrated sub-grid correction {} for the operator {} with the weight {}, "
                                 "collision {}, relaxation time {}",
                                 law, coupling_operator, weight, collision, relaxation_time),
                     "what the grid resolves of a thin film depends on all of them",
                     fmt::format("give the lengths that `stresslet calibrate --law {} --operator {} --weight {} "
-                                "--collision {} --tau {}` finds, or take superposition, viscosity-scaled and TRT",
-                                law, coupling_operator, weight, collision, relaxation_time)});
+                                "--collision {} --tau {}` finds, or take {}",
+                                law, coupling_operator, weight, collision, relaxation_time, known)});
 }
 
 }  // namespace stresslet

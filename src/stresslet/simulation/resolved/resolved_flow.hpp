@@ -36,10 +36,6 @@ struct ResolvedSetup {
   double velocity_difference_lu() const { return is_sheared() ? cells[1] * step() : 0.0; }
   /// Of the fastest fluid of the mean flow, at the faces across y.
   double mach() const;
-  /// Of a cell at this velocity.
-  double cell_reynolds() const {
-    return 0.5 * velocity_difference_lu() / kinematic_viscosity_lu(rates.relaxation_time);
-  }
 };
 
 /// Momentum along x that spheres have carried up through the sheared plane with them, in the frame half-way between its

@@ -20,8 +20,6 @@ namespace stresslet {
 namespace {
 
 constexpr double fewest_cells_across = 2, advised_cells_across = 4;
-// Of the cell Reynolds number squared; measured at Re = St = 10 (docs/validation.md).
-constexpr double excess_of_dissipation = 0.008;
 
 std::optional<SubgridCorrection> correction_of(const Case& c) {
   const ResolutionInput& r = *c.resolution;
@@ -165,12 +163,6 @@ std::vector<std::string> resolved_warnings(const Case& c, const ResolvedSetup& s
   if (s.rates.relaxation_time > 1.5 && s.reynolds > 0.02)
     found.emplace_back(
         "relaxation time above 1.5 at Re > 0.02: compressed fluid reads the viscosity some per cent low");
-  if (const double cell_reynolds = s.cell_reynolds(); cell_reynolds > 1)
-    found.push_back(
-        fmt::format("the flow at the faces has a cell Reynolds number of {:.2g}: dissipation reads some "
-                    "{:.0f} % above the stress; more cells per diameter or a smaller box lessen "
-                    "it, run.monitor_tolerance allows it",
-                    cell_reynolds, std::ceil(cell_reynolds * cell_reynolds * excess_of_dissipation * 100)));
   if (!s.correction) found.emplace_back("films below one cell are not corrected: the viscosity falls short");
   return found;
 }

@@ -145,7 +145,9 @@ void drafting_kissing_tumbling(Trial& trial) {
   const double reference = schiller_naumann_velocity();
   double one = reference;
   if (!trial.quick()) {
-    one = alone(trial, Scale{16});
+    const Scale finer{16};
+    trial.parameter("cells per diameter, one sphere", double(finer.cells));
+    one = alone(trial, finer);
     trial.row("one sphere: terminal velocity, cm/s", one, {reference, "Schiller & Naumann, unbounded"}, relative(0.05));
   }
 

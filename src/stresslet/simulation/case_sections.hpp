@@ -6,6 +6,7 @@
 
 #include "stresslet/io/schema.hpp"
 #include "stresslet/simulation/case_choices.hpp"
+#include "stresslet/simulation/commit_key.hpp"
 
 namespace stresslet {
 
@@ -126,9 +127,7 @@ struct OutputInput {
     v.key("snapshot_every", snapshot_every, defaulted, above(0), "1", "Strain between two snapshots of all particles");
     v.key("profile_bins", profile_bins, defaulted, between(1, 10'000), "1",
           "Layers across the gradient in which profiles are averaged");
-    v.key("commit_every", commit_every, defaulted, between(0, 86400), "s",
-          "Wall time between two safe writes of results and checkpoint, longer where they take more than a fiftieth "
-          "of the time: what a killed run loses at most");
+    describe_commit_every(v, commit_every);
     v.key("csv", csv, defaulted, anything(), "", "Write the series as CSV too");
     v.key("xyz", xyz, defaulted, anything(), "", "Write the snapshots as extended XYZ (OVITO) too");
     v.key("paraview", paraview, defaulted, anything(), "", "Write what ParaView needs to open the snapshots");

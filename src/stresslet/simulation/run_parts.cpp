@@ -4,6 +4,20 @@
 
 namespace stresslet {
 
+namespace {
+
+/// Keeps the rows since the last commit; what became of them, for a message. Never throws in place of the failure.
+std::string fate_of_uncommitted_rows(ResultsFolder& results) {
+  const std::string file = (results.path() / uncommitted_csv_name).string();
+  try {
+    return results.keep_uncommitted() ? "; later rows of the series in " + file : "";
+  } catch (const Error&) {
+    return "; later rows of the series are lost, " + file + " could not be written";
+  }
+}
+
+}  // namespace
+
 void commit_before_running(const std::function<void()>& commit) {
   try {
     commit();
@@ -18,9 +32,7 @@ ExitCode finish_or_explain(ResultsFolder& results, std::string_view start, const
     return finish();
   } catch (const NumericalFailure& failure) {
     const std::string folder = results.path().string();
-    const std::string rest = results.keep_uncommitted()
-                                 ? fmt::format("; later rows of the series in {}/{}", folder, uncommitted_csv_name)
-                                 : "";
+    const std::string rest = fate_of_uncommitted_rows(results);
     throw NumericalFailure(
         {"",
          fmt::format("{}\n  kept: all results up to {}{}. 'stresslet restart {}' goes on from there with the same "

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "stresslet/io/schema.hpp"
+#include "stresslet/simulation/commit_key.hpp"
 #include "stresslet/simulation/fluid/case_choices.hpp"
 
 namespace stresslet {
@@ -202,9 +203,7 @@ struct FluidOutputInput {
           "Time between two profiles; rounded to whole steps");
     v.key("probes", probes, otherwise("none"), at_least(0), "L",
           "Points, a list of coordinates for each: velocity and pressure of the cell there join the series");
-    v.key("commit_every", commit_every, defaulted, between(0, 86400), "s",
-          "Wall time between two safe writes of results and checkpoint, longer where they take more than a fiftieth "
-          "of the time: what a killed run loses at most");
+    describe_commit_every(v, commit_every);
     v.key("csv", csv, defaulted, anything(), "", "Write the series as CSV too");
     v.key("paraview", paraview, defaulted, anything(), "", "Write what ParaView needs to open the fields");
   }

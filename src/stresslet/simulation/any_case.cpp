@@ -24,7 +24,7 @@ bool sets_fidelity(const std::string& assignment) { return assignment.starts_wit
 
 /// What describes the particles' start in another way than a file, or has a default that depends on the fidelity.
 constexpr std::array replaced_by_start{"suspension.solid_fraction=", "suspension.count=", "suspension.box_aspect=",
-                                       "suspension.sizes=", "output.sample_every="};
+                                       "suspension.sizes=",          "suspension.box=",   "output.sample_every="};
 
 /// A new, resolved run that starts from the last state of the lubricated one whose input is `text`.
 ExitCode run_resolved_from(const std::filesystem::path& file, const std::string& text,

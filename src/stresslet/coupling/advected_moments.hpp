@@ -2,10 +2,10 @@
 /// What motion past the lattice adds to the odd populations.
 ///
 /// Of a flow that passes the lattice with u, the third moments are out of equilibrium by (Chapman & Enskog)
-///   sum n c_i^2 c_j = (tau_odd/tau) (u_j Pi_ii + 2 u_i Pi_ij) + what a flow at rest has,   Pi the non-equilibrium
-///   stress:
-/// for one relaxation time the recursion of Malaspinas, arXiv:1505.06900 (2015); odd populations that relax with a time
-/// of their own carry tau_odd/tau times that. In the Hermite basis of the lattice, with H = (c_i^2 - 1/3) c_j,
+///   sum n c_i^2 c_j = (tau_odd/tau) (u_j Pi_ii + 2 u_i Pi_ij) + what a flow at rest has,
+/// Pi the non-equilibrium stress: for one relaxation time the recursion of Malaspinas, arXiv:1505.06900 (2015); odd
+/// populations that relax with a time of their own carry tau_odd/tau times that. In the Hermite basis of the lattice,
+/// with H = (c_i^2 - 1/3) c_j,
 ///   n = 27/2 w sum over i != j of H (tau_odd/tau) (u_j Pi_ii + 2 u_i Pi_ij),
 /// which D3Q19, though its H are not orthogonal, holds exactly. Its square is no energy that the flow loses: with
 /// tau_odd - 1/2 = Lambda/(3 nu) it grows with (u/nu)^2, at a viscosity of 0.02 and u = 0.05 to 6 % of the dissipation.

@@ -11,7 +11,7 @@ double sum_of_drags(const CoveredRuns<double>& covered, const Range& row, int x)
   for (std::size_t k = row.begin; k < row.end; ++k) {
     const CoveredRun& other = covered.runs()[k];
     const int place = x - other.x;
-    if (place >= 0 && place < other.packs * CoveredRuns<double>::width) sum += covered.drag(other)[place];
+    if (place >= 0 && place < other.cells) sum += covered.drag(other)[place];
   }
   return sum;
 }
@@ -26,7 +26,7 @@ void visit_row(const Lattice<D3Q19, double>& lattice, const CoveredRuns<double>&
   for (std::size_t k = runs.begin; k < runs.end; ++k) {
     const CoveredRun& run = covered.runs()[k];
     const SphereImage& image = covered.images()[std::size_t(run.image)];
-    for (int place = run.begin; place < run.end; ++place) {
+    for (int place = 0; place < run.cells; ++place) {
       const double drag = covered.drag(run)[place];
       if (drag == 0) continue;
       const int x = run.x + place;

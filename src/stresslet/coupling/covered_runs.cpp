@@ -70,20 +70,18 @@ void CoveredRuns<T>::find_runs(Found& found, const Range& images) {
       const std::size_t block = std::size_t(block_x + block_y + block_z);
       const int next = std::min({(x / grain + 1) * grain, x - local_x + boxes_[block].size[0], end});
       const std::size_t in_row = first_row_[block] + std::size_t(y + boxes_[block].size[1] * z);
-      const int aligned = local_x / width * width, first = x - (local_x - aligned);
-      const int packs = (next - first + width - 1) / width;
-      const auto from_first = [&](int cell) { return std::uint8_t(std::clamp(cell - first, 0, packs * width)); };
+      const int cells = next - x, packs = (cells + width - 1) / width;
+      const auto from_first = [&](int cell) { return std::uint8_t(std::clamp(cell - x, 0, cells)); };
       found.runs.push_back({.image = std::int32_t(image),
                             .slot = std::int32_t(found.runs.size()),
                             .row = std::uint32_t(in_row),
                             .first_pack = 0,
-                            .global_x = std::int16_t(first),
+                            .global_x = std::int16_t(x),
                             .global_y = std::int16_t(row.y),
                             .global_z = std::int16_t(row.z),
-                            .x = std::int16_t(aligned),
+                            .x = std::int16_t(local_x),
+                            .cells = std::uint8_t(cells),
                             .packs = std::uint8_t(packs),
-                            .begin = from_first(x),
-                            .end = from_first(next),
                             .full_begin = from_first(row.full.begin),
                             .full_end = from_first(row.full.end),
                             .filled = false});
@@ -115,7 +113,7 @@ void CoveredRuns<T>::divide_rows(std::size_t members) {
   first_run_.back() = runs;
   run_count_ = runs;
   make_room(runs_, runs);
-  make_room(drag_, std::size_t(packs) * width);
+  make_room(drag_, std::size_t(packs + 1) * width);  // find_shared reads across the end of a run
   found_before_.assign(1, 0);
   for (std::size_t m = 0; m < members; ++m) found_before_.push_back(found_before_.back() + found_[m].runs.size());
 }
@@ -181,11 +179,7 @@ void CoveredRuns<T>::fill(const Range& runs) {
       if (x < run.full_begin || x + width > run.full_end)
         value = weight.drag(fraction.fraction(offset, P(T(image.radius))));
       if (core_radius > 0) stdx::where(dot(offset, offset) < P(T(core_radius * core_radius)), value) = core;
-      // A pack may reach into the next run, or beyond the domain.
-      if (x < run.begin || x + width > run.end) {
-        const P place = P(T(x)) + lanes;
-        stdx::where(place < T(run.begin) || place >= T(run.end), value) = T(0);
-      }
+      if (x + width > run.cells) stdx::where(lanes >= T(run.cells - x), value) = T(0);
       store(drag(run) + p * width, value);
     }
   }

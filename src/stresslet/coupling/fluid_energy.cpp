@@ -58,7 +58,7 @@ struct RowOfSolids {
       solid.add(run, covered.drag(run), image, sphere);
       for_each_pack(run, covered.drag(run), image, sphere, [&](int p, const P& drag, const Vec3<P>& velocity) {
         T* const at = &drag_square[std::size_t(run.x + p)];
-        store(at, load(at) + drag * dot(velocity, velocity));
+        store_unaligned(at, load_unaligned(at) + drag * dot(velocity, velocity));
       });
     }
   }

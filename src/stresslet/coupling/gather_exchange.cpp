@@ -38,13 +38,14 @@ template <class T>
   const T* own = covered.drag(run);
   for (std::size_t j = k + 1; j < row.runs().end; ++j) {
     const CoveredRun& other = covered.runs()[j];
-    const int begin = std::max(run.x, other.x),
-              end = std::min(run.x + run.packs * width, other.x + other.packs * width);
+    const int begin = std::max(run.x, other.x), end = std::min(run.x + run.cells, other.x + other.cells);
     if (begin >= end || other.image == run.image) continue;
     const T* of_other = covered.drag(other);
     P sum = T(0), along = T(0);
     for (int x = begin; x < end; x += width) {
-      const P c = shared_cell_friction(row.density(x), load(own + (x - run.x)), load(of_other + (x - other.x)));
+      P c = shared_cell_friction(row.density(x), load_unaligned(own + (x - run.x)),
+                                 load_unaligned(of_other + (x - other.x)));
+      stdx::where(lanes >= P(T(end - x)), c) = T(0);
       sum += c;
       along += c * (lanes + P(T(x - run.x)));
     }
@@ -92,9 +93,9 @@ void sum_runs(const CoveredRuns<T>& covered, const GatherRow<T>& row, const Exch
 }  // namespace
 
 template <class Stencil, class T>
-void gather_exchange(const Lattice<Stencil, T>& lattice, int block, CoveredRuns<T>& covered,
-                     const ExchangeFactors& factors, std::size_t first, std::size_t last, SlotSums& by_slot,
-                     std::vector<SharedRun>& shared) {
+void gather_exchange(const Lattice<Stencil, T>& lattice, int block, const RowExchange<Stencil, T>* across_x,
+                     CoveredRuns<T>& covered, const ExchangeFactors& factors, std::size_t first, std::size_t last,
+                     SlotSums& by_slot, std::vector<SharedRun>& shared) {
   const Vec3<double>& force = lattice.input.force_density;
   using P = PackOf<T>;
   const Vec3<P> half_force{P(T(0.5 * force.x)), P(T(0.5 * force.y)), P(T(0.5 * force.z))};
@@ -112,6 +113,7 @@ void gather_exchange(const Lattice<Stencil, T>& lattice, int block, CoveredRuns<
       const Range runs = covered.runs_of_row(block, at);
       if (runs.begin == runs.end) continue;
       next->place(covered, runs, layout.index(0, int(at % ny), int(at / ny)));
+      if (across_x) across_x->bring_in(block, int(at % ny), int(at / ny));
       for (std::size_t k = runs.begin; k < runs.end; ++k) by_slot.ask_for(std::size_t(covered.runs()[k].slot));
       ++at;
       return true;
@@ -127,9 +129,10 @@ void gather_exchange(const Lattice<Stencil, T>& lattice, int block, CoveredRuns<
   }
 }
 
-template void gather_exchange(const Lattice<D3Q19, double>&, int, CoveredRuns<double>&, const ExchangeFactors&,
-                              std::size_t, std::size_t, SlotSums&, std::vector<SharedRun>&);
-template void gather_exchange(const Lattice<D3Q19, float>&, int, CoveredRuns<float>&, const ExchangeFactors&,
-                              std::size_t, std::size_t, SlotSums&, std::vector<SharedRun>&);
+template void gather_exchange(const Lattice<D3Q19, double>&, int, const RowExchange<D3Q19, double>*,
+                              CoveredRuns<double>&, const ExchangeFactors&, std::size_t, std::size_t, SlotSums&,
+                              std::vector<SharedRun>&);
+template void gather_exchange(const Lattice<D3Q19, float>&, int, const RowExchange<D3Q19, float>*, CoveredRuns<float>&,
+                              const ExchangeFactors&, std::size_t, std::size_t, SlotSums&, std::vector<SharedRun>&);
 
 }  // namespace stresslet

@@ -20,7 +20,6 @@ class GatherRow {
  public:
   using P = PackOf<T>;
   static constexpr int width = CoveredRuns<T>::width, line = cache_line / sizeof(T);
-  static_assert(grain_in_x(1) % width == 0);
 
   explicit GatherRow(int nx)
       : covered_line_(std::size_t(nx / line + 1), 0), whole_(std::size_t(nx + line), T(0)), density_(whole_.size()) {
@@ -37,9 +36,10 @@ class GatherRow {
       const CoveredRun& run = covered.runs()[k];
       const T* drag = covered.drag(run);
       for (int p = 0; p < run.packs * width; p += width) {
-        store(&whole_[std::size_t(run.x + p)], load(&whole_[std::size_t(run.x + p)]) + load(drag + p));
-        covered_line_[std::size_t((run.x + p) / line)] = 1;
+        T* const sum = &whole_[std::size_t(run.x + p)];
+        store_unaligned(sum, load_unaligned(sum) + load(drag + p));
       }
+      for (int at = run.x / line; at <= (run.x + run.cells - 1) / line; ++at) covered_line_[std::size_t(at)] = 1;
     }
     lines_.clear();
     for (std::size_t k = 0; k < covered_line_.size(); ++k)
@@ -68,14 +68,15 @@ class GatherRow {
   }
 
   const Range& runs() const { return runs_; }
-  P whole(int x) const { return load(&whole_[std::size_t(x)]); }
-  P density(int x) const { return load(&density_[std::size_t(x)]); }
+  // Packs at any x.
+  P whole(int x) const { return load_unaligned(&whole_[std::size_t(x)]); }
+  P density(int x) const { return load_unaligned(&density_[std::size_t(x)]); }
   Vec3<P> momentum(int x) const {
-    const auto at = [&](std::size_t a) { return load(&momentum_[a][std::size_t(x)]); };
+    const auto at = [&](std::size_t a) { return load_unaligned(&momentum_[a][std::size_t(x)]); };
     return {at(0), at(1), at(2)};
   }
   SymTensor3<P> stress(int x) const {
-    const auto at = [&](std::size_t a) { return load(&stress_[a][std::size_t(x)]); };
+    const auto at = [&](std::size_t a) { return load_unaligned(&stress_[a][std::size_t(x)]); };
     return {at(0), at(1), at(2), at(3), at(4), at(5)};
   }
 

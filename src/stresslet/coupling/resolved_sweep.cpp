@@ -10,8 +10,9 @@ namespace stresslet {
 namespace {
 
 template <class Stencil, class T, class Collision, class Forcing, class Operator>
-void resolved_sweep(const Lattice<Stencil, T>& lattice, int block, const CoveredRuns<T>& covered,
-                    const std::vector<ResolvedSphere>& spheres, std::size_t first, std::size_t last) {
+void resolved_sweep(const Lattice<Stencil, T>& lattice, int block, const RowExchange<Stencil, T>* across_x,
+                    const CoveredRuns<T>& covered, const std::vector<ResolvedSphere>& spheres, std::size_t first,
+                    std::size_t last) {
   const auto& populations = lattice.blocks[std::size_t(block)].populations;
   const BlockLayout& layout = populations.layout();
   const int nx = layout.size()[0], ny = layout.size()[1];
@@ -25,7 +26,9 @@ void resolved_sweep(const Lattice<Stencil, T>& lattice, int block, const Covered
       const SphereImage& image = covered.images()[std::size_t(run.image)];
       solid.add(run, covered.drag(run), image, spheres[std::size_t(image.sphere)]);
     }
-    fluid.start(layout.index(0, int(row) % ny, int(row) / ny));
+    const int y = int(row) % ny, z = int(row) / ny;
+    if (across_x) across_x->bring_in(block, y, z);
+    fluid.start(layout.index(0, y, z));
     for (int x = 0; x < nx; x += width) {
       if (x % fluid.line == 0) fluid.prefetch(x);
       if (runs.begin < runs.end && solid.is_covered(x))
@@ -36,6 +39,7 @@ void resolved_sweep(const Lattice<Stencil, T>& lattice, int block, const Covered
       else
         fluid.step(x, std::min(width, nx - x));
     }
+    if (across_x) across_x->bring_out(block, y, z);
     for (std::size_t k = runs.begin; k < runs.end; ++k) solid.clear(covered.runs()[k]);
   }
 }

@@ -10,6 +10,7 @@
 
 #include "stresslet/coupling/covered_runs.hpp"
 #include "stresslet/coupling/exchange_sums.hpp"
+#include "stresslet/lattice/boundary/row_exchange.hpp"
 
 namespace stresslet {
 
@@ -26,16 +27,19 @@ struct SharedRun {
   Vec3<double> coefficient_arm{};  ///< sum c r, r from the centre of the first
 };
 
-/// Sums of every run in the rows [first, last) of block `block`, by slot; `shared` takes those with friction.
+/// Sums of every run in the rows [first, last) of block `block`, by slot; `shared` takes those with friction. Before a
+/// row is read, what comes in across x faces is brought in by `across_x`, if any.
 template <class Stencil, class T>
-void gather_exchange(const Lattice<Stencil, T>& lattice, int block, CoveredRuns<T>& covered,
-                     const ExchangeFactors& factors, std::size_t first, std::size_t last, SlotSums& by_slot,
-                     std::vector<SharedRun>& shared);
+void gather_exchange(const Lattice<Stencil, T>& lattice, int block, const RowExchange<Stencil, T>* across_x,
+                     CoveredRuns<T>& covered, const ExchangeFactors& factors, std::size_t first, std::size_t last,
+                     SlotSums& by_slot, std::vector<SharedRun>& shared);
 
-/// Steps the rows [first, last) of block `block`; `spheres` hold the velocities at which the solid moves.
+/// Steps the rows [first, last) of block `block`, each with its exchange across x faces by `across_x`, if any;
+/// `spheres` hold the velocities at which the solid moves.
 template <class Stencil, class T>
-using ResolvedSweep = void (*)(const Lattice<Stencil, T>& lattice, int block, const CoveredRuns<T>& covered,
-                               const std::vector<ResolvedSphere>& spheres, std::size_t first, std::size_t last);
+using ResolvedSweep = void (*)(const Lattice<Stencil, T>& lattice, int block, const RowExchange<Stencil, T>* across_x,
+                               const CoveredRuns<T>& covered, const std::vector<ResolvedSphere>& spheres,
+                               std::size_t first, std::size_t last);
 
 /// The kernel for these laws; both names must be in their lists. `forced`: with a body force, in Guo's form.
 template <class Stencil, class T>

@@ -49,7 +49,7 @@ class SolidRow {
   }
   void clear(const CoveredRun& run) {
     for (int p = 0; p < run.packs * width; p += width)
-      for (auto& sum : sums_) store(&sum[std::size_t(run.x + p)], P(T(0)));
+      for (auto& sum : sums_) store_unaligned(&sum[std::size_t(run.x + p)], P(T(0)));
   }
   [[gnu::always_inline]] bool is_covered(int x) const { return stdx::any_of(drag(x) > P(T(0))); }
   [[gnu::always_inline]] P drag(int x) const { return load(&sums_[0][std::size_t(x)]); }
@@ -60,7 +60,7 @@ class SolidRow {
 
  private:
   [[gnu::always_inline]] void add_to(std::size_t k, std::size_t x, const P& value) {
-    store(&sums_[k][x], load(&sums_[k][x]) + value);
+    store_unaligned(&sums_[k][x], load_unaligned(&sums_[k][x]) + value);
   }
   std::array<AlignedVector<T>, 4> sums_;
 };

@@ -34,6 +34,15 @@ template <class T>
 void store(T* p, const std::type_identity_t<PackOf<T>>& v) {
   v.copy_to(p, stdx::vector_aligned);
 }
+/// The same at any address.
+template <class T>
+PackOf<T> load_unaligned(const T* p) {
+  return PackOf<T>(p, stdx::element_aligned);
+}
+template <class T>
+void store_unaligned(T* p, const std::type_identity_t<PackOf<T>>& v) {
+  v.copy_to(p, stdx::element_aligned);
+}
 
 namespace detail {
 

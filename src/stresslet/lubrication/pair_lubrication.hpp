@@ -27,14 +27,15 @@ class PairLubrication {
   void update(Member& member, const std::string& law, const LubricationCutoffs& cutoffs, const ActivePairs& pairs,
               const Box& box);
 
-  /// The same from `film(a1, a2, gap)`, a PairResistance<double> per unit viscosity, for laws with parameters.
+  /// The same from `film(a1, a2, gap)`, a PairResistance<Pack> per unit viscosity, for laws with parameters.
   template <class Film>
   void update_with(Member& member, const ActivePairs& pairs, const Box& box, Film&& film) {
-    const Range mine = member.share(pairs.size(), pack_width);
-    for (std::size_t p = mine.begin; p < mine.end; ++p) {
-      const PairResistance<double> k = film(pairs.radius_i[p], pairs.radius_j[p], pairs.gap[p]);
-      X_[p] = k.X, Y_[p] = k.Y, B_[p] = k.B, C_[p] = k.C;
-      arm_[p] = pairs.distance[p], background_x_[p] = -pairs.images_up[p] * box.velocity_jump();
+    const Range mine = member.share(padded(pairs.size()), pack_width);
+    for (std::size_t p = mine.begin; p < mine.end; p += pack_width) {
+      const PairResistance<Pack> k = film(load(&pairs.radius_i[p]), load(&pairs.radius_j[p]), load(&pairs.gap[p]));
+      store(&X_[p], k.X), store(&Y_[p], k.Y), store(&B_[p], k.B), store(&C_[p], k.C);
+      store(&arm_[p], load(&pairs.distance[p]));
+      store(&background_x_[p], -load(&pairs.images_up[p]) * box.velocity_jump());
     }
     member.barrier();
   }
@@ -47,13 +48,10 @@ class PairLubrication {
 
   /// Adds the wrench on one particle of the last `apply`.
   void add_to(std::size_t particle, const ActivePairs& pairs, Twist<double>& wrench) const {
-    double sum[twist_stride] = {wrench.linear.x,  wrench.linear.y,  wrench.linear.z,  0,
-                                wrench.angular.x, wrench.angular.y, wrench.angular.z, 0};
-    pairs.for_each_pair_of(particle, [&](std::size_t p, double sign) {
-      const double* w = (sign > 0 ? on_first_ : on_second_)[p];
-      for (std::size_t c = 0; c < twist_stride; ++c) sum[c] += w[c];
-    });
-    wrench = {{sum[0], sum[1], sum[2]}, {sum[4], sum[5], sum[6]}};
+    RowSum sum(wrench);
+    pairs.for_each_pair_of(particle,
+                           [&](std::size_t p, double sign) { sum.add((sign > 0 ? on_first_ : on_second_)[p]); });
+    wrench = sum.twist();
   }
 
   PairResistance<double> resistance(std::size_t p) const { return {X_[p], Y_[p], B_[p], C_[p]}; }

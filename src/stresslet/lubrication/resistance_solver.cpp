@@ -65,7 +65,7 @@ double ResistanceSolver::apply_and_project(std::size_t begin, std::size_t end, c
     Twist<double> wrench{};
     lubrication.add_to(i, pairs, wrench);
     walls.add_to<false>(i, v, wrench);
-    fluid.add_to<false>(i, direction_, wrench);
+    fluid.add_to<false>(i, v, wrench);
     const Twist<double> image{own_linear_[i] * v.linear - wrench.linear, own_angular_[i] * v.angular - wrench.angular};
     image_.set(i, image);
     sum += dot(v.linear, image.linear) + dot(v.angular, image.angular);
@@ -74,7 +74,7 @@ double ResistanceSolver::apply_and_project(std::size_t begin, std::size_t end, c
 }
 
 SolverReport ResistanceSolver::solve(Member& member, const ActivePairs& pairs, PairLubrication& lubrication,
-                                     const WallFilms& walls, const FluidCoupling& fluid, double tolerance,
+                                     const WallFilms& walls, FluidCoupling& fluid, double tolerance,
                                      int largest_iteration, TwistVector& velocity, TwistVector& residual) {
   const std::size_t n = own_linear_.size();
   const Range mine = member.share(n, sum_chunk);
@@ -92,6 +92,7 @@ SolverReport ResistanceSolver::solve(Member& member, const ActivePairs& pairs, P
     for (std::size_t k = twist_stride * mine.begin; k < twist_stride * mine.end; ++k) p[k] = z[k] + weight * p[k];
     member.barrier();
     lubrication.apply<false>(member, pairs, direction_);
+    fluid.apply<false>(member, direction_);
     const double curvature = direction_sum_(member, n, [&](std::size_t begin, std::size_t end) {
       return apply_and_project(begin, end, pairs, lubrication, walls, fluid);
     });

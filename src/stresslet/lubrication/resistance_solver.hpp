@@ -6,9 +6,9 @@
 /// diagonal blocks of translation and rotation (Saad, Iterative Methods for Sparse Linear Systems, alg. 9.1).
 ///
 /// All threads run the iteration together; scalar products are summed in chunks of fixed length, so the result does not
-/// depend on their number. An iteration meets at four barriers; its memory traffic is the pair kernel's, its wrenches
-/// read again (128 B and 4 B of index per pair), and 15 x 64 B per particle: thirteen twists, 120 B of blocks and
-/// resistances.
+/// depend on their number. An iteration meets at four barriers, five in a resolved fluid; its memory traffic is the
+/// pair kernel's, its wrenches read again (128 B and 4 B of index per pair), the same of the fluid's frictions, and 15
+/// x 64 B per particle: thirteen twists, 120 B of blocks and resistances.
 #include "stresslet/exec/chunk_sum.hpp"
 #include "stresslet/lubrication/fluid_coupling.hpp"
 #include "stresslet/lubrication/pair_lubrication.hpp"
@@ -38,7 +38,7 @@ class ResistanceSolver {
   /// Improves `velocity` until the residual is at most `tolerance`. On entry `residual` = b - (D + R) velocity, on exit
   /// what is left of it. All threads; the same report on all; ends with a barrier.
   SolverReport solve(Member& member, const ActivePairs& pairs, PairLubrication& lubrication, const WallFilms& walls,
-                     const FluidCoupling& fluid, double tolerance, int largest_iteration, TwistVector& velocity,
+                     FluidCoupling& fluid, double tolerance, int largest_iteration, TwistVector& velocity,
                      TwistVector& residual);
 
  private:

@@ -64,4 +64,18 @@ class TwistVector {
   AlignedVector<double> data_;
 };
 
+/// Sum of a twist and rows of twist vectors, a line at a time.
+class RowSum {
+ public:
+  explicit RowSum(const Twist<double>& t)
+      : sum_{t.linear.x, t.linear.y, t.linear.z, 0, t.angular.x, t.angular.y, t.angular.z, 0} {}
+  void add(const double* row) {
+    for (std::size_t c = 0; c < twist_stride; ++c) sum_[c] += row[c];
+  }
+  Twist<double> twist() const { return {{sum_[0], sum_[1], sum_[2]}, {sum_[4], sum_[5], sum_[6]}}; }
+
+ private:
+  double sum_[twist_stride];
+};
+
 }  // namespace stresslet

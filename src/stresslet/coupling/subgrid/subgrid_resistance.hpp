@@ -17,6 +17,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "stresslet/base/value.hpp"
+#include "stresslet/exec/simd.hpp"
 #include "stresslet/lubrication/complete.hpp"
 #include "stresslet/lubrication/cutoffs.hpp"
 #include "stresslet/lubrication/wall.hpp"
@@ -35,24 +37,26 @@ struct SubgridRange {
 };
 
 /// `at(gap)` gives the coefficients of the film, `unit_logarithm` the gap at which its logarithm is 1, `inner_gap` in
-/// cells.
+/// cells. No branch: beyond the outer gap the coefficients are evaluated and dropped.
 template <class Law, class R, class Film>
 PairResistance<R> film_correction(const R& gap, const R& unit_logarithm, const R& inner_gap, const R& outer_gap,
                                   const SubgridLengths& lengths, Film&& at) {
-  using std::log;
   using std::max;
   using std::sqrt;
-  if (gap >= outer_gap) return {};
-  const R h = max(gap, inner_gap);
+  const R h = max(gap, inner_gap), zero = as<R>(0);
   const auto missing_normal = [&](const R& g) { return at(g).X - at(Law::resolved_gap(g, R(lengths.normal))).X; };
-  const auto missing_logarithm = [&](const R& g, double length) { return log(Law::resolved_gap(g, R(length)) / g); };
+  const auto missing_logarithm = [&](const R& g, double length) {
+    return natural_log(R(Law::resolved_gap(g, R(length)) / g));
+  };
   const auto logarithm = [&](double length) {
-    return max(R(0), missing_logarithm(h, length) - missing_logarithm(outer_gap, length));
+    return R(max(zero, missing_logarithm(h, length) - missing_logarithm(outer_gap, length)));
   };
   const R sliding = logarithm(lengths.sliding), spin = logarithm(lengths.spin);
   const PairResistance<R> unit = at(unit_logarithm);
-  return {max(R(0), missing_normal(h) - missing_normal(outer_gap)), unit.Y * sliding, unit.B * sqrt(sliding * spin),
-          unit.C * spin};
+  const R normal = max(zero, missing_normal(h) - missing_normal(outer_gap));
+  const auto within = gap < outer_gap;
+  return {select(within, normal, zero), select(within, unit.Y * sliding, zero),
+          select(within, unit.B * sqrt(sliding * spin), zero), select(within, unit.C * spin, zero)};
 }
 
 template <class Law, class R>

@@ -8,10 +8,10 @@ namespace stresslet {
 void update_subgrid_films(Member& member, Suspension& s) {
   const std::optional<SubgridCorrection>& correction = s.resolved->setup().correction;
   if (!correction) {
-    const auto none = [](double, double, double) { return PairResistance<double>{}; };
-    s.lubrication.update_with(member, s.pairs, s.box, none);
+    s.lubrication.update_with(member, s.pairs, s.box,
+                              [](const Pack&, const Pack&, const Pack&) { return PairResistance<Pack>{}; });
     return s.walls.update_with(
-        member, s.state, s.box, [](double) { return 0.0; }, [&](double a, double gap) { return none(a, a, gap); });
+        member, s.state, s.box, [](double) { return 0.0; }, [](double, double) { return PairResistance<double>{}; });
   }
   const double cell = s.resolved->setup().cell;
   const auto scaled = [&](const SubgridLengths& l) {
@@ -21,7 +21,7 @@ void update_subgrid_films(Member& member, Suspension& s) {
   const SubgridRange range{s.physics.cutoffs.inner, cell * correction->range.outer};
   SubgridLaws::dispatch(correction->law, [&](auto law) {
     using Law = typename decltype(law)::type;
-    s.lubrication.update_with(member, s.pairs, s.box, [&](double a1, double a2, double gap) {
+    s.lubrication.update_with(member, s.pairs, s.box, [&](const Pack& a1, const Pack& a2, const Pack& gap) {
       return subgrid_resistance<Law>(a1, a2, gap, lengths, range);
     });
     s.walls.update_with(

@@ -13,7 +13,7 @@ struct Explicit {
   static constexpr std::string_view summary = "velocity Verlet at half steps; step bound by the thinnest film";
 
   static void advance_velocities(Member& member, Suspension& s, double step) {
-    s.lubrication.apply<true>(member, s.pairs, s.velocity);
+    apply_pair_forces(member, s);
     const Range mine = member.share(s.state.size(), sum_chunk);
     for (std::size_t i = mine.begin; i < mine.end; ++i) {
       const Twist<double> v = s.velocity.get(i), f = total_wrench(s, i, v);

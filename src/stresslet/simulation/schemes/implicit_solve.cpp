@@ -30,7 +30,7 @@ void implicit_solve(Member& member, Suspension& s, double inverse_step) {
     for (std::size_t k = 0; k < twist_stride; ++k) v[k] += c[k];
   }
   member.barrier();
-  s.lubrication.apply<true>(member, s.pairs, s.velocity);
+  apply_pair_forces(member, s);
   for (std::size_t i = mine.begin; i < mine.end; ++i) {
     const Twist<double> f = total_wrench(s, i, s.velocity.get(i)), c = s.change.get(i);
     s.residual.set(i, f.linear - s.state.mass(i) * inverse_step * c.linear,

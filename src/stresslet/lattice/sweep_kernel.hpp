@@ -15,20 +15,33 @@ namespace stresslet {
 template <class Stencil, class T>
 class PartialPack {
  public:
-  static constexpr std::ptrdiff_t width = PackOf<T>::size();
+  using R = PackOf<T>;
+  static constexpr std::ptrdiff_t width = R::size();
 
   PartialPack() {
     for (int i = 0; i < Stencil::size; ++i) places_[i] = &values_[std::size_t(i * width)];
   }
   const Sources<Stencil, T>& places() const { return places_; }
   void take(const Sources<Stencil, T>& source, std::ptrdiff_t first, std::ptrdiff_t cells) {
-    for (int i = 0; i < Stencil::size; ++i) std::copy_n(source[i] + first, cells, places_[i]);
+    const auto there = first_lanes(cells);
+    for (int i = 0; i < Stencil::size; ++i) {
+      R values = as<R>(0);
+      stdx::where(there, values).copy_from(source[i] + first, stdx::element_aligned);
+      store(places_[i], values);
+    }
   }
   void give_back(const Sources<Stencil, T>& source, std::ptrdiff_t first, std::ptrdiff_t cells) const {
-    for (int i = 0; i < Stencil::size; ++i) std::copy_n(places_[i], cells, source[i] + first);
+    const auto there = first_lanes(cells);
+    for (int i = 0; i < Stencil::size; ++i) {
+      const R values = load(places_[i]);
+      stdx::where(there, values).copy_to(source[i] + first, stdx::element_aligned);
+    }
   }
 
  private:
+  static auto first_lanes(std::ptrdiff_t cells) {
+    return R([](auto k) { return T(k); }) < as<R>(double(cells));
+  }
   alignas(cache_line) std::array<T, std::size_t(Stencil::size* width)> values_{};
   Sources<Stencil, T> places_;
 };

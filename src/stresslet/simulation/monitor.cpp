@@ -35,6 +35,11 @@ double scatter(std::span<const double> values) {
   return 30 * std::sqrt(squares / (n * (n - 1)));
 }
 
+/// Whether the mean of `differences` is small against `size`, or chance.
+bool agree(std::span<const double> differences, double size, double tolerance) {
+  return std::abs(mean_of(differences)) <= tolerance * (std::abs(size) + scatter(differences));
+}
+
 /// First row of the last `monitor_window`; none before there is one with rows enough.
 std::optional<std::size_t> window_start(const Series& series) {
   constexpr std::size_t fewest_rows = 20;
@@ -58,7 +63,7 @@ void check_energy_balance(const Series& series, double tolerance) {
   std::vector<double> differences(from_stress.size());
   std::transform(from_dissipation.begin(), from_dissipation.end(), from_stress.begin(), differences.begin(),
                  std::minus<>());
-  if (std::abs(dissipation - stress) <= tolerance * (std::abs(stress) + scatter(differences))) return;
+  if (agree(differences, stress, tolerance)) return;
   throw NumericalFailure(
       {"",
        fmt::format("stress power and dissipation part: relative viscosity {:.4g} from stress, {:.4g} from "
@@ -76,14 +81,13 @@ void check_stress_closure(const Series& series, double tolerance) {
   const double now = series["strain"].back();
   const double flux = mean_of(std::span(series["relative_viscosity_through_plane"]).subspan(*first));
   const std::vector<double> differences = closure_differences(series, *first);
-  const double difference = mean_of(differences);
-  if (std::abs(difference) <= tolerance * (std::abs(flux) + scatter(differences))) return;
+  if (agree(differences, flux, tolerance)) return;
   throw NumericalFailure(
       {"",
        fmt::format("the summed stress and the flux of momentum through the sheared plane, or into the walls, part: "
                    "relative viscosity {:.4g} from the sum, growth of momentum included, {:.4g} from the flux, between "
                    "strain {:.4g} and {:.4g}",
-                   flux + difference, flux, now - monitor_window, now),
+                   flux + mean_of(differences), flux, now - monitor_window, now),
        "momentum that the spheres hand on must come out of the box; a fluid that is compressed, or near instability, "
        "keeps it",
        "start a new run with a smaller resolution.relaxation_time or flow.reynolds, or with more "

@@ -113,7 +113,7 @@ void CoveredRuns<T>::divide_rows(std::size_t members) {
   first_run_.back() = runs;
   run_count_ = runs;
   make_room(runs_, runs);
-  make_room(drag_, std::size_t(packs + 1) * width);  // find_shared reads across the end of a run
+  make_room(drag_, std::size_t(packs) * width);
   found_before_.assign(1, 0);
   for (std::size_t m = 0; m < members; ++m) found_before_.push_back(found_before_.back() + found_[m].runs.size());
 }

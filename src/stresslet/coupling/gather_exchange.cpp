@@ -4,6 +4,7 @@
 #include "stresslet/coupling/gather_row.hpp"
 #include "stresslet/coupling/resolved_sweep.hpp"
 #include "stresslet/coupling/shared_cells.hpp"
+#include "stresslet/exec/first_lanes.hpp"
 #include "stresslet/lattice/laws.hpp"
 
 namespace stresslet {
@@ -43,9 +44,8 @@ template <class T>
     const T* of_other = covered.drag(other);
     P sum = T(0), along = T(0);
     for (int x = begin; x < end; x += width) {
-      P c = shared_cell_friction(row.density(x), load_unaligned(own + (x - run.x)),
-                                 load_unaligned(of_other + (x - other.x)));
-      stdx::where(lanes >= P(T(end - x)), c) = T(0);
+      const P c = shared_cell_friction(row.density(x), load_first<P>(own + (x - run.x), end - x),
+                                       load_first<P>(of_other + (x - other.x), end - x));
       sum += c;
       along += c * (lanes + P(T(x - run.x)));
     }

@@ -3,6 +3,7 @@
 /// holds every pair of a collision and a forcing law and takes its minute to compile.
 #include <algorithm>
 
+#include "stresslet/exec/first_lanes.hpp"
 #include "stresslet/lattice/collide.hpp"
 #include "stresslet/lattice/laws.hpp"
 #include "stresslet/lattice/pack_in_place.hpp"
@@ -23,25 +24,13 @@ class PartialPack {
   }
   const Sources<Stencil, T>& places() const { return places_; }
   void take(const Sources<Stencil, T>& source, std::ptrdiff_t first, std::ptrdiff_t cells) {
-    const auto there = first_lanes(cells);
-    for (int i = 0; i < Stencil::size; ++i) {
-      R values = as<R>(0);
-      stdx::where(there, values).copy_from(source[i] + first, stdx::element_aligned);
-      store(places_[i], values);
-    }
+    for (int i = 0; i < Stencil::size; ++i) store(places_[i], load_first<R>(source[i] + first, cells));
   }
   void give_back(const Sources<Stencil, T>& source, std::ptrdiff_t first, std::ptrdiff_t cells) const {
-    const auto there = first_lanes(cells);
-    for (int i = 0; i < Stencil::size; ++i) {
-      const R values = load(places_[i]);
-      stdx::where(there, values).copy_to(source[i] + first, stdx::element_aligned);
-    }
+    for (int i = 0; i < Stencil::size; ++i) store_first(source[i] + first, R(load(places_[i])), cells);
   }
 
  private:
-  static auto first_lanes(std::ptrdiff_t cells) {
-    return R([](auto k) { return T(k); }) < as<R>(double(cells));
-  }
   alignas(cache_line) std::array<T, std::size_t(Stencil::size* width)> values_{};
   Sources<Stencil, T> places_;
 };

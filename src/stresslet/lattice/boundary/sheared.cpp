@@ -3,23 +3,12 @@
 #include <cmath>
 
 #include "stresslet/base/unroll.hpp"
-#include "stresslet/exec/simd.hpp"
+#include "stresslet/exec/first_lanes.hpp"
 #include "stresslet/lattice/laws.hpp"
 
 namespace stresslet {
 
 namespace {
-
-/// `cells` values from `from`, at most a pack, in double precision; zeros after them.
-template <class T>
-Pack load_some(const T* from, int cells) {
-  if (cells >= int(pack_width)) return Pack(from, stdx::element_aligned);
-  return Pack([&](auto k) { return int(k) < cells ? double(from[k]) : 0.0; });
-}
-void store_some(double* to, const Pack& values, int cells) {
-  if (cells >= int(pack_width)) return values.copy_to(to, stdx::element_aligned);
-  for (int k = 0; k < cells; ++k) to[k] = values[std::size_t(k)];
-}
 
 template <class Stencil>
 CellPopulations<Stencil, Pack> in_pairs(const std::array<Pack, Stencil::size>& f) {
@@ -83,7 +72,7 @@ void ShearedBoundary<Stencil, T>::collect_side(const Lattice<Stencil, T>& lattic
       for (int x = 0; x < layout.size()[0]; x += int(pack_width)) {
         const int cells = layout.size()[0] - x;
         std::array<Pack, Stencil::size> f;
-        for (int i = 0; i < Stencil::size; ++i) f[i] = load_some(sent[i] + layout.index(x, y, z), cells);
+        for (int i = 0; i < Stencil::size; ++i) f[i] = load_first<Pack>(sent[i] + layout.index(x, y, z), cells);
         const Moments<Pack> m = moments_of(in_pairs<Stencil>(f));
         const Pack density = m.density();
         const Vec3<Pack> u = (m.momentum - half_force) / density;
@@ -95,7 +84,7 @@ void ShearedBoundary<Stencil, T>::collect_side(const Lattice<Stencil, T>& lattic
           constexpr auto c = Stencil::velocity[i];
           Pack value = f[i] + equilibrium_change<Stencil, i>(density, u, jump);
           if constexpr (c[2] == 0) value += double(c[0]) * missing;
-          store_some(row(side, k, block.origin[2] + z) + block.origin[0] + x, value, cells);
+          store_first(row(side, k, block.origin[2] + z) + block.origin[0] + x, value, cells);
         });
       }
   }

@@ -20,7 +20,7 @@ template <class R>
 class AdvectedMoments {
  public:
   /// `odd_to_shear`: tau_odd/tau.
-  [[gnu::always_inline]] AdvectedMoments(const Vec3<R>& u, const SymTensor3<R>& stress, const R& odd_to_shear) {
+  AdvectedMoments(const Vec3<R>& u, const SymTensor3<R>& stress, const R& odd_to_shear) {
     const auto third = [&](const R& u_i, const R& u_j, const R& pi_ii, const R& pi_ij) {
       return odd_to_shear * (u_j * pi_ii + as<R>(2) * u_i * pi_ij);
     };
@@ -32,7 +32,7 @@ class AdvectedMoments {
 
   /// Odd part of the pair whose first population is `i`.
   template <class Stencil, int i>
-  [[gnu::always_inline]] R odd() const {
+  R odd() const {
     constexpr auto c = Stencil::velocity[i];
     R sum = as<R>(0);
     for (int j = 0; j < 3; ++j)
@@ -47,13 +47,10 @@ class AdvectedMoments {
 
 /// Populations without it.
 template <class Stencil, class R>
-[[gnu::always_inline]] inline CellPopulations<Stencil, R> without_advected_moments(CellPopulations<Stencil, R> f,
-                                                                                   const Vec3<R>& velocity,
-                                                                                   const R& odd_to_shear) {
+CellPopulations<Stencil, R> without_advected_moments(CellPopulations<Stencil, R> f, const Vec3<R>& velocity,
+                                                     const R& odd_to_shear) {
   const AdvectedMoments<R> advected(velocity, non_equilibrium_stress(f, velocity), odd_to_shear);
-  unroll<Stencil::pairs>([&](auto k) __attribute__((always_inline)) {
-    f.pair[k].odd -= advected.template odd<Stencil, first_of_pair(k)>();
-  });
+  unroll<Stencil::pairs>([&](auto k) { f.pair[k].odd -= advected.template odd<Stencil, first_of_pair(k)>(); });
   return f;
 }
 

@@ -16,8 +16,7 @@ namespace {
 
 /// sum n_i^2/w_i.
 template <class Stencil, class R>
-[[gnu::always_inline]] inline R weighted_square(const CellPopulations<Stencil, R>& f,
-                                                const Equilibrium<Stencil, R>& eq) {
+R weighted_square(const CellPopulations<Stencil, R>& f, const Equilibrium<Stencil, R>& eq) {
   R sum = as<R>(1 / Stencil::weight[0]) * (f.rest - eq.rest()) * (f.rest - eq.rest());
   unroll<Stencil::pairs>([&](auto k) __attribute__((always_inline)) {
     constexpr int i = first_of_pair(k);
@@ -29,7 +28,7 @@ template <class Stencil, class R>
 }
 
 template <class Stencil, class T>
-[[gnu::always_inline]] inline CellPopulations<Stencil, PackOf<T>> read_all(const PackInPlace<Stencil, T>& f) {
+CellPopulations<Stencil, PackOf<T>> read_all(const PackInPlace<Stencil, T>& f) {
   CellPopulations<Stencil, PackOf<T>> all;
   all.rest = f.read_rest();
   unroll<Stencil::pairs>([&](auto k) __attribute__((always_inline)) { all.pair[k] = f.template read<k>(); });

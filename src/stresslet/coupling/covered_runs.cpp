@@ -6,6 +6,7 @@
 
 #include "stresslet/coupling/laws.hpp"
 #include "stresslet/coupling/spans.hpp"
+#include "stresslet/exec/first_lanes.hpp"
 
 namespace stresslet {
 
@@ -179,7 +180,7 @@ void CoveredRuns<T>::fill(const Range& runs) {
       if (x < run.full_begin || x + width > run.full_end)
         value = weight.drag(fraction.fraction(offset, P(T(image.radius))));
       if (core_radius > 0) stdx::where(dot(offset, offset) < P(T(core_radius * core_radius)), value) = core;
-      if (x + width > run.cells) stdx::where(lanes >= T(run.cells - x), value) = T(0);
+      if (x + width > run.cells) stdx::where(!first_lanes<P>(run.cells - x), value) = T(0);
       store(drag(run) + p * width, value);
     }
   }

@@ -58,7 +58,7 @@ ResolvedFluidOf<T>::ResolvedFluidOf(const FluidSetup& setup, const CouplingSetup
 
 template <class T>
 void ResolvedFluidOf<T>::prepare(Member& member, const std::vector<ResolvedSphere>& spheres) {
-  prepare_step(lattice_, boundaries_, member, rows_exchanged());
+  prepare_step(lattice_, boundaries_, member, boundaries_.rows_exchanged());
   replace_populations(lattice_, boundaries_, member);
   covered_.place(member, spheres, lattice_.shear_offset, lattice_.shear_velocity);
   if (member.rank() == 0) {
@@ -68,13 +68,14 @@ void ResolvedFluidOf<T>::prepare(Member& member, const std::vector<ResolvedSpher
     friction_of_.resize(std::size_t(member.size()));
   }
   member.barrier();
+  const auto* across_x = boundaries_.in_sweep(lattice_.arrangement);
   // Filled on this thread's stack: every run moves the end, and those of all threads share a cache line.
   std::vector<SharedRun> shared = std::move(shared_[std::size_t(member.rank())]);
   shared.clear();
   for (std::size_t b = 0; b < lattice_.blocks.size(); ++b) {
     const Range rows = member.share(lattice_.blocks[b].populations.layout().rows());
     if (rows.begin < rows.end)
-      gather_exchange(lattice_, int(b), across_x(), covered_, factors_, rows.begin, rows.end, by_slot_, shared);
+      gather_exchange(lattice_, int(b), across_x, covered_, factors_, rows.begin, rows.end, by_slot_, shared);
   }
   shared_[std::size_t(member.rank())] = std::move(shared);
   member.barrier();
@@ -155,11 +156,12 @@ void ResolvedFluidOf<T>::find_across() {
 template <class T>
 void ResolvedFluidOf<T>::sweep(Member& member, const std::vector<ResolvedSphere>& spheres) {
   const auto kernel = lattice_.input.force_density == Vec3<double>{} ? resolved_sweep_ : forced_sweep_;
+  const auto* across_x = boundaries_.in_sweep(lattice_.arrangement);
   for (std::size_t b = 0; b < lattice_.blocks.size(); ++b) {
     const Range rows = member.share(lattice_.blocks[b].populations.layout().rows());
-    kernel(lattice_, int(b), across_x(), covered_, spheres, rows.begin, rows.end);
+    kernel(lattice_, int(b), across_x, covered_, spheres, rows.begin, rows.end);
   }
-  finish_step(lattice_, boundaries_, member, rows_exchanged());
+  finish_step(lattice_, boundaries_, member, boundaries_.rows_exchanged());
 }
 
 template <class T>

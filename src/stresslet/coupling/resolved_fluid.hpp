@@ -103,14 +103,6 @@ class ResolvedFluidOf final : public ResolvedFluid, private FluidOf<D3Q19, T> {
   using Base::boundaries_;
   using Base::lattice_;
 
-  /// Across x faces rows are exchanged when the step reads them first, and when it has swept them.
-  RowsExchanged rows_exchanged() const {
-    return boundaries_.row_by_row() ? RowsExchanged::in_sweep : RowsExchanged::around_sweep;
-  }
-  const RowExchange<Stencil, T>* across_x() const {
-    const bool now = boundaries_.row_by_row() && lattice_.arrangement == Arrangement::departing;
-    return now ? &boundaries_.rows : nullptr;
-  }
   void find_friction(Member& member);
   void find_across();
 

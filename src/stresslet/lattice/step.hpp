@@ -9,6 +9,9 @@
 
 namespace stresslet {
 
+/// When the exchange of rows is done: for all of them before and after the sweep, or by the sweep itself.
+enum class RowsExchanged { around_sweep, in_sweep };
+
 template <class Stencil, class T>
 struct Boundaries {
   RowExchange<Stencil, T> rows;
@@ -18,10 +21,12 @@ struct Boundaries {
   bool row_by_row() const {
     return std::none_of(others.begin(), others.end(), [](const auto& boundary) { return boundary->looks_across(); });
   }
+  RowsExchanged rows_exchanged() const { return row_by_row() ? RowsExchanged::in_sweep : RowsExchanged::around_sweep; }
+  /// What a sweep from this arrangement exchanges itself, row by row; null if nothing.
+  const RowExchange<Stencil, T>* in_sweep(Arrangement arrangement) const {
+    return row_by_row() && arrangement == Arrangement::departing ? &rows : nullptr;
+  }
 };
-
-/// When the exchange of rows is done: for all of them before and after the sweep, or by the sweep itself.
-enum class RowsExchanged { around_sweep, in_sweep };
 
 /// Fills what the next sweep reads from outside each block. Harmless to repeat.
 template <class Stencil, class T>
@@ -99,11 +104,11 @@ void sweep_and_exchange(const Lattice<Stencil, T>& lattice, Sweep<Stencil, T> sw
 template <class Stencil, class T>
 void step(Lattice<Stencil, T>& lattice, Sweep<Stencil, T> sweep, const Boundaries<Stencil, T>& boundaries,
           Member& member) {
-  const RowsExchanged rows = boundaries.row_by_row() ? RowsExchanged::in_sweep : RowsExchanged::around_sweep;
+  const RowsExchanged rows = boundaries.rows_exchanged();
   prepare_step(lattice, boundaries, member, rows);
   replace_populations(lattice, boundaries, member);
-  if (rows == RowsExchanged::in_sweep && lattice.arrangement == Arrangement::departing) {
-    sweep_and_exchange(lattice, sweep, boundaries.rows, member);
+  if (const auto* across_x = boundaries.in_sweep(lattice.arrangement)) {
+    sweep_and_exchange(lattice, sweep, *across_x, member);
   } else {
     for (const auto& block : lattice.blocks) {
       const Range mine = member.share(block.populations.layout().rows());

@@ -17,23 +17,23 @@ void FluidCoupling::set_friction(std::vector<PointFriction> friction, std::size_
     end_[next[std::size_t(friction_[k].second)]++] = {k, false};
   }
 
-  on_first_.resize(whole_packs), on_second_.resize(whole_packs);
-  packed_.first.assign(whole_packs, 0), packed_.second.assign(whole_packs, 0);
-  packed_.coefficient.assign(whole_packs, 0.0);
-  const auto pack = [&](std::array<AlignedVector<double>, 3>& rows, auto&& vector) {
-    for (auto& row : rows) row.assign(whole_packs, 0.0);
+  if (on_first_.size() < whole_packs) on_first_.resize(whole_packs), on_second_.resize(whole_packs);
+  Packed& p = packed_;
+  p.first.resize(whole_packs), p.second.resize(whole_packs), p.coefficient.resize(whole_packs);
+  for (std::size_t k = 0; k < whole_packs; ++k) {
+    p.first[k] = k < n ? friction_[k].first : 0, p.second[k] = k < n ? friction_[k].second : 0;
+    p.coefficient[k] = k < n ? friction_[k].coefficient : 0;
+  }
+  const auto pack = [&](std::array<AlignedVector<double>, 3>& rows, Vec3<double> PointFriction::*vector) {
+    for (auto& row : rows) row.resize(whole_packs);
     for (std::size_t k = 0; k < n; ++k) {
-      const Vec3<double>& v = vector(friction_[k]);
+      const Vec3<double>& v = friction_[k].*vector;
       rows[0][k] = v.x, rows[1][k] = v.y, rows[2][k] = v.z;
     }
   };
-  pack(packed_.arm_first, [](const PointFriction& f) -> const Vec3<double>& { return f.arm_first; });
-  pack(packed_.arm_second, [](const PointFriction& f) -> const Vec3<double>& { return f.arm_second; });
-  pack(packed_.jump, [](const PointFriction& f) -> const Vec3<double>& { return f.jump; });
-  for (std::size_t k = 0; k < n; ++k) {
-    packed_.first[k] = friction_[k].first, packed_.second[k] = friction_[k].second;
-    packed_.coefficient[k] = friction_[k].coefficient;
-  }
+  pack(p.arm_first, &PointFriction::arm_first);
+  pack(p.arm_second, &PointFriction::arm_second);
+  pack(p.jump, &PointFriction::jump);
 }
 
 void FluidCoupling::change_frame(std::size_t i, const Vec3<double>& change) {

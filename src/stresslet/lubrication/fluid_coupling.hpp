@@ -82,7 +82,7 @@ class FluidCoupling {
   std::vector<std::uint32_t> first_;
   std::vector<End> end_;
 
-  // The frictions once more for `apply`, padded to whole packs of no friction of particle 0 with itself.
+  // The frictions once more for `apply`, padded to whole packs by some without strength, of particle 0 with itself.
   struct Packed {
     AlignedVector<std::int32_t> first, second;
     AlignedVector<double> coefficient;

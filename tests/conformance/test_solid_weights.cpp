@@ -52,6 +52,17 @@ TYPED_TEST(SolidWeight, IsOneForceAsWeightAndAsDrag) {
     }
 }
 
+/// The grid shifts what the flow feels by a fraction of a cell, whatever the size.
+TYPED_TEST(SolidWeight, DrawsASphereOfAboutItsSize) {
+  double last = 0;
+  for (const double radius : {1.0, 2.0, 3.125, 5.0, 10.0, 100.0}) {
+    const double drawn = TypeParam::drawn_radius(radius);
+    EXPECT_NEAR(drawn, radius, 0.5);
+    EXPECT_GT(drawn, last);
+    last = drawn;
+  }
+}
+
 TYPED_TEST(SolidWeight, GivesThePackWhatItGivesTheCell) {
   const TypeParam law(0.7);
   const Pack fraction([](auto k) { return double(k) / (pack_width - 1); });
@@ -68,10 +79,10 @@ TEST(SolidWeights, HaveTheirClosedForms) {
   EXPECT_NEAR(NobleTorczynskiWeight(0.7).weight(0.8), 0.4, 1e-15);
   EXPECT_EQ(NobleTorczynskiWeight(0.6).weight(1.0), 1);
   EXPECT_NEAR(NobleTorczynskiWeight(1e9).weight(0.25), 0.25, 1e-9);
-  // alpha = 2.35/5 * 0.5 / 0.28 = 0.83929; at eps = 1 it is 2.35/5 / 0.03 = 15.667, B = 1.77358.
-  EXPECT_NEAR(ViscosityScaledWeight(0.7).drag(0.5), 0.839285714285714, 1e-14);
-  EXPECT_NEAR(ViscosityScaledWeight(0.7).weight(0.5), 0.839285714285714 / 1.419642857142857, 1e-14);
-  EXPECT_NEAR(ViscosityScaledWeight(0.7).weight(1.0), 1.773584905660377, 1e-13);
+  // alpha = 1/5 * 0.5 / 0.53 = 0.1 / 0.53, B = 0.1 / 0.58; at eps = 1 they are 0.2 / 0.03 and 0.2 / 0.13.
+  EXPECT_NEAR(ViscosityScaledWeight(0.7).drag(0.5), 0.188679245283019, 1e-14);
+  EXPECT_NEAR(ViscosityScaledWeight(0.7).weight(0.5), 0.172413793103448, 1e-14);
+  EXPECT_NEAR(ViscosityScaledWeight(0.7).weight(1.0), 1.538461538461538, 1e-13);
 }
 
 TEST(SolidWeights, ScaleTheDragWithTheViscosity) {

@@ -118,8 +118,8 @@ TEST_F(ResolvedRun, CorrectsTheModesOfTheModel) {
   EXPECT_THAT(checked({"model.name=NLM"}).out, HasSubstr("sliding 0, spin 0 cells"));
   EXPECT_THAT(checked({"model.name=CLM"}).out, Not(HasSubstr("sliding 0,")));
   EXPECT_THAT(checked({"model.name=NLM", "flow.boundary=walls"}).out,
-              HasSubstr("normal 0.373, sliding 0, spin 0 cells"));
-  EXPECT_THAT(checked({"flow.boundary=walls"}).out, HasSubstr("normal 0.373, sliding 0.087, spin 0 cells"));
+              HasSubstr("normal 0.452, sliding 0, spin 0 cells"));
+  EXPECT_THAT(checked({"flow.boundary=walls"}).out, HasSubstr("normal 0.452, sliding 0.199, spin 0.013 cells"));
 }
 
 TEST_F(ResolvedRun, RefusesWhatTheLatticeCannotHold) {

@@ -32,10 +32,11 @@ class Box {
   Box(double relaxation_time, const Vec3<double>& centre, const Fraction& law, const Weight& weight)
       : viscosity_(kinematic_viscosity_lu(relaxation_time)),
         rates_(Trt::rates({relaxation_time, 1.0 / 12, std::nullopt, std::nullopt})) {
-    for_each_row_of_sphere(centre, law.touch_radius(radius), law.full_radius(radius), [&](const RowSpan& row) {
+    const double drawn = Weight::drawn_radius(radius);
+    for_each_row_of_sphere(centre, law.touch_radius(drawn), law.full_radius(drawn), [&](const RowSpan& row) {
       for (int x = row.touched.begin; x < row.touched.end; ++x) {
         const Vec3<double> offset{x - centre.x, row.y - centre.y, row.z - centre.z};
-        weight_[place(x, row.y, row.z)] = weight.weight(law.fraction(offset, radius));
+        weight_[place(x, row.y, row.z)] = weight.weight(law.fraction(offset, drawn));
       }
     });
   }

@@ -1,5 +1,6 @@
 /// The fluid that no sphere touches, plane by plane: how many cells, and how fast. A cell is free where the nearest
-/// point of its cube lies outside every sphere, found here by brute force, but for cells that one only just touches.
+/// point of its cube lies outside every sphere, found here by brute force, but for cells that one only just touches;
+/// with a weight that draws spheres as they are.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -34,7 +35,7 @@ TEST(FreeFluid, IsCountedPlaneByPlaneInAnyNumberOfBlocks) {
     setup.grid.blocks = blocks;
     setup.collision = "TRT";
     setup.rates.relaxation_time = 1;
-    ResolvedFluidOf<double> fluid(setup, {"superposition", {.fraction = "exact"}});
+    ResolvedFluidOf<double> fluid(setup, {"superposition", {.fraction = "exact", .weight = "linear"}});
     ThreadTeam team(1);
     fluid.initialise(team, [&](const Cells& c) {
       CellState s;

@@ -44,13 +44,18 @@ void cubic_array(Trial& trial) {
               drag_of_cubic_array(trial, default_scheme(2), 16, 5, place(16, k)), {exact_drag, source},
               relative(0.015));
 
+  double coarse = 0;
+  for (std::size_t k = 0; k < std::size(places); ++k)
+    coarse += drag_of_cubic_array(trial, default_scheme(2), 10, 3.125, place(10, k)) / std::size(places);
+  trial.row("K, N = 6.25, mean of the places", coarse, {exact_drag, source}, relative(0.015));
+
   std::vector<int> sizes;
   std::vector<double> errors;
-  for (const int edge : trial.choose<std::vector<int>>({10, 13, 16, 24, 32}, {10, 16})) {
+  for (const int edge : trial.choose<std::vector<int>>({10, 13, 16, 24, 32, 48}, {10, 16})) {
     const double K = drag_of_cubic_array(trial, default_scheme(1), edge, edge * 5 / 16.0, place(edge, 3));
     sizes.push_back(edge);
     errors.push_back(K / exact_drag - 1);
-    if (edge == 32) trial.row("K, N = 20", K, {exact_drag, source}, relative(0.007));
+    if (edge >= 32) trial.row(fmt::format("K, N = {}", edge * 5 / 8), K, {exact_drag, source}, relative(0.007));
   }
   Table resolution{"resolution", {{"L", "cells", ""}, {"error", "", "K/K_exact - 1"}}, {{}, {}}};
   resolution.values[0].assign(sizes.begin(), sizes.end());

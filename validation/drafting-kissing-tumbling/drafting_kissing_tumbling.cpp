@@ -102,9 +102,9 @@ struct Fall {
 };
 
 Fall fall(Trial& trial, const Scale& scale, double until, Table& table) {
-  // On the axis nothing but round-off makes the pair turn; a tenth of a diameter makes it the same on any machine.
+  // On the axis nothing but round-off makes the pair turn; a quarter of a diameter makes it the same on any machine.
   ResolvedFlow flow(trial, scale.box({1, 4, 1}, true), scale.scheme,
-                    {scale.sphere({0.5 + 0.1 * diameter, 3.5, 0.5}), scale.sphere({0.5, 3.16, 0.5})}, "two spheres");
+                    {scale.sphere({0.5 + 0.25 * diameter, 3.5, 0.5}), scale.sphere({0.5, 3.16, 0.5})}, "two spheres");
   flow.add_pair_forces(scale.films(), scale.spring());
   flow.rest();
   Fall found;

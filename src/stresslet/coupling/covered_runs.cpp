@@ -38,7 +38,9 @@ CoveredRuns<T>::CoveredRuns(const Grid& grid, const SolidLaws& laws)
     touch_radius_ = Fraction::touch_radius;
     full_radius_ = Fraction::full_radius;
     SolidWeights::dispatch(laws.weight, [&](auto weight) {
-      fill_ = &CoveredRuns::template fill<Fraction, typename decltype(weight)::type>;
+      using Weight = typename decltype(weight)::type;
+      drawn_radius_ = Weight::drawn_radius;
+      fill_ = &CoveredRuns::template fill<Fraction, Weight>;
     });
   });
 }
@@ -49,7 +51,9 @@ bool CoveredRuns<T>::find_images(const std::vector<ResolvedSphere>& spheres, dou
   images_.clear();
   first_image_.assign(1, 0);
   for (std::size_t k = 0; k < spheres.size(); ++k) {
-    append_images(grid_, spheres[k], std::int32_t(k), touch_radius_(spheres[k].radius), offset, velocity, images_);
+    ResolvedSphere drawn = spheres[k];
+    drawn.radius = drawn_radius_(drawn.radius);
+    append_images(grid_, drawn, std::int32_t(k), touch_radius_(drawn.radius), offset, velocity, images_);
     first_image_.push_back(images_.size());
   }
   return first_run_.empty() || images_ != images_before_;

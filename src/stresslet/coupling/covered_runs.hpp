@@ -116,6 +116,7 @@ class CoveredRuns {
   HugeArray<CoveredRun> runs_;
   std::size_t run_count_ = 0;
   HugeArray<T> drag_;
+  double (*drawn_radius_)(double) = nullptr;
   double (*touch_radius_)(double) = nullptr;
   double (*full_radius_)(double) = nullptr;
   void (CoveredRuns::*fill_)(const Range&) = nullptr;

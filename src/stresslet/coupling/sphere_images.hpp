@@ -18,7 +18,7 @@ struct ResolvedSphere {
 struct SphereImage {
   std::int32_t sphere;
   Vec3<double> centre;
-  double radius;
+  double radius;         ///< as drawn on the grid
   double velocity_jump;  ///< along x: velocity of the image minus that of the sphere
 
   friend bool operator==(const SphereImage&, const SphereImage&) = default;

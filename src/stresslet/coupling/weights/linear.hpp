@@ -3,7 +3,8 @@
 /// authors. Thesis preset. Results depend on the relaxation time.
 ///
 /// Pattern of a solid weight: made once from the relaxation time, gives `weight` B and `drag` alpha (solid_drag.hpp) of
-/// a solid fraction in [0, 1]. Use viscosity-scaled if unsure.
+/// a solid fraction in [0, 1]. `drawn_radius` is that of the sphere which the solid fractions are made of, so that the
+/// flow feels one of the radius given (lengths in cells). Use viscosity-scaled if unsure.
 ///   law                 B(1)                  depends on the viscosity   operators
 ///   linear              1                     no                         any
 ///   noble-torczynski    1                     yes                        any
@@ -30,6 +31,7 @@ class LinearWeight {
   R drag(const R& solid_fraction) const {
     return drag_from_weight(weight(solid_fraction));
   }
+  static double drawn_radius(double radius) { return radius; }
 };
 
 }  // namespace stresslet

@@ -23,6 +23,7 @@ class NobleTorczynskiWeight {
   R drag(const R& solid_fraction) const {
     return drag_from_weight(weight(solid_fraction));
   }
+  static double drawn_radius(double radius) { return radius; }
 
  private:
   double lambda_;

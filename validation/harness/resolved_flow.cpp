@@ -54,7 +54,7 @@ ResolvedFlow::ResolvedFlow(Trial& trial, const FluidSetup& setup, const Resolved
 void ResolvedFlow::settle() {
   std::vector<SphereInertia> inertia;
   for (const TestSphere& s : spheres_) {
-    const double mass = s.density * 4 * pi / 3 * std::pow(s.sphere.radius, 3);
+    const double mass = s.own_mass_lu();
     inertia.push_back({mass,
                        0.4 * mass * s.sphere.radius * s.sphere.radius,
                        s.force_lu,
@@ -191,8 +191,7 @@ Vec3<double> ResolvedFlow::mean_velocity() {
 
 Vec3<double> ResolvedFlow::momentum() {
   Vec3<double> sum = fluid_.totals(trial_.team()).momentum;
-  for (const TestSphere& s : spheres_)
-    sum += (s.density * 4 * pi / 3 * std::pow(s.sphere.radius, 3)) * s.sphere.velocity;
+  for (const TestSphere& s : spheres_) sum += s.own_mass_lu() * s.sphere.velocity;
   return sum;
 }
 

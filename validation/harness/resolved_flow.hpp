@@ -1,11 +1,14 @@
 #pragma once
 /// What the cases of resolved spheres have in common: schemes, spheres that are held, turn or move, steady states, and
 /// readings of the flow. Lattice units; cell i is centred on coordinate i.
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "stresslet/base/constants.hpp"
 #include "stresslet/coupling/covered_cells.hpp"
 #include "stresslet/coupling/resolved_fluid.hpp"
 #include "stresslet/coupling/sphere_update.hpp"
@@ -47,6 +50,9 @@ struct TestSphere {
   bool travels = false;     ///< whether the centre moves with the velocity; else the flow settles around it
   double density = 1;       ///< over that of the fluid at rest
   Vec3<double> force_lu{};  ///< on the sphere, besides the fluid's
+
+  /// Less that of the fluid inside it, which moves with it.
+  double own_mass_lu() const { return std::max(density - 1, 0.0) * 4 * pi / 3 * std::pow(sphere.radius, 3); }
 };
 
 /// First moment (F_x y + F_y x)/2 of the force on a sphere by where it acts: cells inside against cells at the surface;

@@ -1,6 +1,7 @@
 #pragma once
 /// State of N spheres, structure of arrays. Lengths in units of the chosen diameter, times in 1/shear rate (see
 /// docs/user-guide.md); index order is spatial and changes with sorting, `id` never does.
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -18,6 +19,7 @@ struct ParticleState {
   AlignedVector<double> radius, density;
   std::vector<std::int32_t> species;  ///< index into the size classes of the input
   std::vector<std::int32_t> id;       ///< permanent name, 0 ... N-1
+  double fluid_density = 0;           ///< of the fluid that a lattice holds inside the particles; 0 without one
 
   std::size_t size() const { return x.size(); }
 
@@ -42,6 +44,10 @@ struct ParticleState {
   double mass(std::size_t i) const { return density[i] * volume(i); }
   /// Moment of inertia of a solid sphere, 2 m a^2 / 5.
   double inertia(std::size_t i) const { return 0.4 * mass(i) * radius[i] * radius[i]; }
+  /// What a particle adds to the momentum that is there without it: the fluid inside it moves with it and has its share
+  /// already. Never negative, so that a particle lighter than the fluid has the inertia of the fluid.
+  double own_mass(std::size_t i) const { return std::max(density[i] - fluid_density, 0.0) * volume(i); }
+  double own_inertia(std::size_t i) const { return 0.4 * own_mass(i) * radius[i] * radius[i]; }
 
   void set_position(std::size_t i, const Vec3<double>& p) { x[i] = p.x, y[i] = p.y, z[i] = p.z; }
   void set_velocity(std::size_t i, const Vec3<double>& u) { ux[i] = u.x, uy[i] = u.y, uz[i] = u.z; }

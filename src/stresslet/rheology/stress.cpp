@@ -99,12 +99,12 @@ void add_wall(const Instant& now, std::size_t i, const Twist<double>& t, Addable
 
 void add_particle(const Instant& now, std::size_t i, const StressModel& model, Addable& sum) {
   const ParticleState& s = now.state;
-  const double a = s.radius[i], m = s.mass(i);
+  const double a = s.radius[i], m = s.own_mass(i);
   const Twist<double> t = now.velocity.get(i);
   const Vec3<double> c = t.linear - Vec3<double>{now.box.mean_flow(s.y[i]), 0, 0};
   const Vec3<double> spin = t.angular - mean_rotation(now.box);
   sum.momentum += m * c;
-  sum.kinetic_energy += 0.5 * (m * dot(c, c) + s.inertia(i) * dot(spin, spin));
+  sum.kinetic_energy += 0.5 * (m * dot(c, c) + s.own_inertia(i) * dot(spin, spin));
   sum.stress.reynolds -= m * square(c);
   sum.stress.acceleration -= (0.2 * m * a * a) * (square(t.angular) - dot(t.angular, t.angular) * identity3<double>());
   if (model.stresslet) sum.stress.stresslet += stresslet_coefficient(a) * mean_strain_rate(now.box);

@@ -196,8 +196,18 @@ Plan make_plan(const Case& c, const Existing* existing) {
   return plan;
 }
 
+namespace {
+
+void take(Suspension& s, const Plan& plan, ParticleState state) {
+  s.state = std::move(state);
+  s.state.fluid_density = plan.resolved ? plan.resolved->reynolds : 0;
+}
+
+}  // namespace
+
 Suspension make_empty_suspension(const Plan& plan) {
   Suspension s;
+  take(s, plan, {});
   s.physics = plan.physics;
   s.time = plan.time;
   s.box = plan.box;
@@ -209,7 +219,7 @@ Suspension make_empty_suspension(const Plan& plan) {
 Suspension make_suspension(const Case& c, const Plan& plan, const std::function<void(double)>& report) {
   Suspension s = make_empty_suspension(plan);
   if (plan.sizes.empty()) {
-    s.state = plan.loaded;
+    take(s, plan, plan.loaded);
     return s;
   }
   PackingRequest request;
@@ -221,7 +231,7 @@ Suspension make_suspension(const Case& c, const Plan& plan, const std::function<
   request.density = plan.density;
   request.where = c.where("suspension.solid_fraction");
   Packing packing = generate_packing(plan.sizes, request, report);
-  s.state = std::move(packing.state);
+  take(s, plan, std::move(packing.state));
   s.box = packing.box;
   return s;
 }

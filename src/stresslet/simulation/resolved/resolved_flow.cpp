@@ -87,7 +87,7 @@ void ResolvedFlow::note_crossings(const ParticleState& state, const Box& box, bo
     const double boxes_up = std::floor((state.y[i] - step * state.uy[i]) / box.length.y);
     if (boxes_up == 0) continue;
     const double gain = boxes_up * box.velocity_jump();
-    carried_.momentum -= boxes_up * state.mass(i) * (state.ux[i] - 0.5 * gain);
+    carried_.momentum -= boxes_up * state.own_mass(i) * (state.ux[i] - 0.5 * gain);
     if (first) continue;
     frame_[i] += gain;
     coupling.change_frame(i, {gain, 0, 0});
@@ -165,7 +165,7 @@ double ResolvedFlow::stored_momentum(const ParticleState& state, const Box& box)
   for (std::size_t i = 0; i < state.size(); ++i) {
     const double height = state.y[i] - 0.5 * box.length.y;
     // A sphere that moves across the mean flow changes its momentum against that without a force: half a square.
-    sum += state.mass(i) * height * (state.ux[i] - 0.5 * box.mean_flow(state.y[i]));
+    sum += state.own_mass(i) * height * (state.ux[i] - 0.5 * box.mean_flow(state.y[i]));
   }
   return sum / box.volume();
 }

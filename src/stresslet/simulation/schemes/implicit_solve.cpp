@@ -24,8 +24,8 @@ void implicit_solve(Member& member, Suspension& s, double inverse_step) {
     const double a = s.state.radius[i];
     const double drag = s.physics.drag ? translational_drag(a) : 0.0;
     const double spin_drag = s.physics.drag ? rotational_drag(a) : 0.0;
-    s.solver.set_own_resistance(i, s.state.mass(i) * inverse_step + drag,
-                                s.state.inertia(i) * inverse_step + spin_drag);
+    s.solver.set_own_resistance(i, s.state.own_mass(i) * inverse_step + drag,
+                                s.state.own_inertia(i) * inverse_step + spin_drag);
     double *v = s.velocity[i], *c = s.change[i];
     for (std::size_t k = 0; k < twist_stride; ++k) v[k] += c[k];
   }
@@ -33,8 +33,8 @@ void implicit_solve(Member& member, Suspension& s, double inverse_step) {
   apply_pair_forces(member, s);
   for (std::size_t i = mine.begin; i < mine.end; ++i) {
     const Twist<double> f = total_wrench(s, i, s.velocity.get(i)), c = s.change.get(i);
-    s.residual.set(i, f.linear - s.state.mass(i) * inverse_step * c.linear,
-                   f.angular - s.state.inertia(i) * inverse_step * c.angular);
+    s.residual.set(i, f.linear - s.state.own_mass(i) * inverse_step * c.linear,
+                   f.angular - s.state.own_inertia(i) * inverse_step * c.angular);
   }
   s.solver.factorise(member, s.pairs, s.lubrication, s.walls, s.fluid_coupling);
   const SolverReport report = s.solver.solve(member, s.pairs, s.lubrication, s.walls, s.fluid_coupling,

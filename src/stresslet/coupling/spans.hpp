@@ -24,6 +24,11 @@ struct CellRange {
   int size() const { return end - begin; }
 };
 
+/// Integers strictly within `reach` of `centre`.
+inline CellRange integers_within(double centre, double reach) {
+  return {int(std::floor(centre - reach)) + 1, int(std::ceil(centre + reach))};
+}
+
 /// One row of a sphere: cells that may be partly solid are [touched.begin, full.begin) and [full.end, touched.end);
 /// without a full cell, `full` is empty and lies at touched.end.
 struct RowSpan {
@@ -45,11 +50,6 @@ R farthest_squared(const R& i, double centre) {
   using std::abs;
   const R d = abs(i - centre) + 0.5;
   return d * d;
-}
-
-/// Integers strictly within `reach` of `centre`.
-inline CellRange integers_within(double centre, double reach) {
-  return {int(std::floor(centre - reach)) + 1, int(std::ceil(centre + reach))};
 }
 
 /// As many rows as a pack has lanes; the cells are integers. Rows with touched.end <= touched.begin have none.
@@ -78,12 +78,12 @@ template <class Visit>
 void for_each_row_of_sphere(const Vec3<double>& centre, double touch_radius, double full_radius, Visit&& visit) {
   const double touch = touch_radius * touch_radius, fill = full_radius * full_radius;
   const Pack lanes([](auto k) { return double(k); });
-  const CellRange planes = detail::integers_within(centre.z, touch_radius + 0.5);
+  const CellRange planes = integers_within(centre.z, touch_radius + 0.5);
   for (int z = planes.begin; z < planes.end; ++z) {
     const double touch_z = touch - detail::nearest_squared(double(z), centre.z);
     const double fill_z = fill - detail::farthest_squared(double(z), centre.z);
     if (touch_z <= 0) continue;
-    const CellRange rows = detail::integers_within(centre.y, std::sqrt(touch_z) + 0.5);
+    const CellRange rows = integers_within(centre.y, std::sqrt(touch_z) + 0.5);
     for (int first = rows.begin; first < rows.end; first += int(pack_width)) {
       const Pack y = double(first) + lanes;
       const detail::RowPack found(centre.x, touch_z - detail::nearest_squared(y, centre.y),

@@ -91,7 +91,7 @@ void interact(Suspension& s, ThreadTeam& team, double contact_step, double veloc
 void start(Suspension& s, ThreadTeam& team) {
   prepare_particle_arrays(s);
   rebuild_neighbours(s, team);
-  if (s.resolved) s.resolved->fill(team);
+  if (s.resolved) s.resolved->fill(team, s.state, s.box);
   TimeSchemes::dispatch(s.time.scheme, [&](auto tag) {
     using Scheme = typename decltype(tag)::type;
     interact<Scheme>(s, team, 0.0, Scheme::first_step(s.time.step), {true, true, 1});

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "stresslet/lattice/boundary/walls.hpp"
+#include "stresslet/simulation/resolved/initial_flow.hpp"
 
 namespace stresslet {
 
@@ -36,14 +37,17 @@ ResolvedFlow::ResolvedFlow(const ResolvedSetup& setup)
       mass_unit_(setup.reynolds * setup.cell * setup.cell * setup.cell),
       fluid_(ResolvedFluid::make(fluid_setup(setup), setup.coupling)) {}
 
-void ResolvedFlow::fill(ThreadTeam& team) {
-  const double gradient = setup_.is_sheared() ? step_ : 0.0, middle = 0.5 * (setup_.cells[1] - 1);
-  fluid_->initialise(team, [&](const Cells& c) {
-    CellState s;
-    s.velocity.x = gradient * (c[1] - middle);
-    s.strain_rate.xy = 0.5 * gradient;
-    return s;
-  });
+void ResolvedFlow::fill(ThreadTeam& team, const ParticleState& state, const Box& box) {
+  std::vector<ResolvedSphere> spheres(state.size());
+  for (std::size_t i = 0; i < spheres.size(); ++i)
+    spheres[i] = {centre_lu(state, i), state.radius[i] / setup_.cell, step_ / setup_.cell * state.velocity(i),
+                  step_ * state.angular_velocity(i)};
+  const double offset = setup_.box == BoxKind::lees_edwards ? box.offset / setup_.cell : 0;
+  fluid_->initialise(team, InitialFlow(fluid_setup(setup_).grid, {setup_.velocity_difference_lu(), offset}, spheres));
+}
+
+Vec3<double> ResolvedFlow::centre_lu(const ParticleState& state, std::size_t i) const {
+  return state.position(i) / setup_.cell - Vec3<double>{0.5, 0.5, 0.5};
 }
 
 void ResolvedFlow::prepare(Member& member, const ParticleState& state, const Box& box, FluidCoupling& coupling) {
@@ -58,7 +62,7 @@ void ResolvedFlow::prepare(Member& member, const ParticleState& state, const Box
   member.barrier();
   const Range mine = member.share(n);
   for (std::size_t i = mine.begin; i < mine.end; ++i)
-    spheres_[i] = {state.position(i) / setup_.cell - Vec3<double>{0.5, 0.5, 0.5}, state.radius[i] / setup_.cell};
+    spheres_[i] = {centre_lu(state, i), state.radius[i] / setup_.cell};
   member.barrier();
   fluid_->prepare(member, spheres_);
 

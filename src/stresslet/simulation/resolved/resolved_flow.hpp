@@ -49,8 +49,8 @@ class ResolvedFlow {
  public:
   explicit ResolvedFlow(const ResolvedSetup& setup);
 
-  /// The mean shear flow at time zero.
-  void fill(ThreadTeam& team);
+  /// The fluid at time zero: the mean shear flow, and inside the particles their motion.
+  void fill(ThreadTeam& team, const ParticleState& state, const Box& box);
 
   // All members of the team, once a step each.
   /// Measures the fluid in the particles' cells and says what it does to them.
@@ -96,6 +96,7 @@ class ResolvedFlow {
   const ResolvedSetup& setup() const { return setup_; }
 
  private:
+  Vec3<double> centre_lu(const ParticleState& state, std::size_t i) const;
   double energy_unit() const { return mass_unit_ * setup_.cell * setup_.cell / (step_ * step_); }
 
   ResolvedSetup setup_;

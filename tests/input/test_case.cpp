@@ -118,6 +118,17 @@ TEST(ReadCase, EmptyOverrideRemovesAKey) {
   EXPECT_EQ(read.contact.largest_overlap, 0.02);
 }
 
+TEST(ReadCase, PresetGivesWhatIsLeftOut) {
+  const auto resolution = [](const std::string& keys) {
+    const std::string text = std::string("fidelity = \"resolved\"\n") + smallest_input + "[resolution]\n" + keys;
+    return *std::get<Case>(read_any_case_text(text, "case.toml", {})).resolution;
+  };
+  EXPECT_EQ(resolution("").cells_per_diameter, 10);
+  EXPECT_EQ(resolution("preset = \"fast\"\n").cells_per_diameter, 8);
+  EXPECT_EQ(resolution("preset = \"fast\"\n").relaxation_time, 2);
+  EXPECT_EQ(resolution("preset = \"fast\"\ncells_per_diameter = 12\n").cells_per_diameter, 12);
+}
+
 class ResolvedInput : public ::testing::TestWithParam<std::vector<std::string>> {};
 
 TEST_P(ResolvedInput, ReadsBackToAnEqualCase) {

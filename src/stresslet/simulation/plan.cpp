@@ -176,7 +176,7 @@ Plan make_plan(const Case& c, const Existing* existing) {
     const double volume = volume_of(plan.radii) / *c.suspension.solid_fraction;
     plan.box.length = box_of(volume, aspect);
     if (c.resolved()) {  // proportions in whole cells, the volume as it is
-      const Cells n = cells_along(plan.box.length, c.resolution->cells_per_diameter);
+      const Cells n = cells_along(plan.box.length, *c.resolution->cells_per_diameter);
       plan.box.length = box_of(volume, {double(n[0]), double(n[1]), double(n[2])});
     }
   }

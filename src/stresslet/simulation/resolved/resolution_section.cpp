@@ -5,13 +5,14 @@
 namespace stresslet {
 
 void settle(ResolutionInput& r) {
-  const bool thesis = r.preset == ResolutionPreset::thesis;
+  const bool thesis = r.preset == ResolutionPreset::thesis, fast = r.preset == ResolutionPreset::fast;
   const auto choose = [](auto& key, auto value) {
     if (!key) key = value;
   };
-  choose(r.relaxation_time, thesis ? 0.65 : r.preset == ResolutionPreset::fast ? 2.0 : 1.0);
+  choose(r.cells_per_diameter, fast ? 8.0 : 10.0);
+  choose(r.relaxation_time, thesis ? 0.65 : fast ? 2.0 : 1.0);
   choose(r.magic_parameter, 1.0 / 12);
-  choose(r.precision, r.preset == ResolutionPreset::fast ? Precision::floating32 : Precision::floating64);
+  choose(r.precision, fast ? Precision::floating32 : Precision::floating64);
   choose(r.collision, thesis ? Bgk::name : Trt::name);
   choose(r.coupling, Superposition::name);
   choose(r.solid_fraction, PlaneCut::name);

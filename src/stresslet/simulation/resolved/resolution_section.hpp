@@ -30,7 +30,7 @@ inline std::vector<std::string> correction_names() {
 }
 
 struct ResolutionInput {
-  double cells_per_diameter = 10;
+  std::optional<double> cells_per_diameter;
   ResolutionPreset preset = ResolutionPreset::standard;
   std::optional<double> relaxation_time, magic_parameter;
   std::optional<Precision> precision;
@@ -40,11 +40,12 @@ struct ResolutionInput {
 
   template <class V>
   void describe(V& v) {
-    v.key("cells_per_diameter", cells_per_diameter, defaulted, between(2, 200), "1",
+    v.key("cells_per_diameter", cells_per_diameter, otherwise("follows from `preset`"), between(2, 200), "1",
           "Cells across the diameter d1; rounded so that the box is a whole number of cells");
     v.key("preset", preset, defaulted, anything(), "",
-          "Defaults of the keys below: standard (relaxation time 1), fast (2: steps three times as long, for Re up to "
-          "0.02; float32), thesis (BGK, superposition with linear weight, relaxation time 0.65, hard cut-off)");
+          "Defaults of the other keys: standard (10 cells, relaxation time 1), fast (8 cells; 2: steps three times as "
+          "long, for Re up to 0.02; float32), thesis (10 cells, BGK, superposition with linear weight, relaxation time "
+          "0.65, hard cut-off)");
     v.key("relaxation_time", relaxation_time, otherwise("follows from `preset`"), above_up_to(0.5, 10), "1",
           "Relaxation time of the shear stress; a step grows with (tau - 1/2), compressibility with its square");
     v.key("magic_parameter", magic_parameter, otherwise("`1/12`"), above_up_to(0, 10), "1",

@@ -70,7 +70,7 @@ Cells cells_along(const Vec3<double>& box_length, double cells_per_diameter) {
 ResolvedSetup resolved_setup(const Case& c, const Box& box, double smallest_radius) {
   const ResolutionInput& r = *c.resolution;
   ResolvedSetup s;
-  s.cells = cells_along(box.length, r.cells_per_diameter);
+  s.cells = cells_along(box.length, *r.cells_per_diameter);
   s.cell = box.length.x / s.cells[0];
   for (const auto& [length, cells] : {std::pair{box.length.y, s.cells[1]}, std::pair{box.length.z, s.cells[2]}})
     if (std::abs(length - cells * s.cell) > 1e-6 * length)

@@ -2,6 +2,7 @@
 /// sheared faces, against the exact rheology of the lattice at that strain (recomputed after Adler, Zuzovsky & Brenner,
 /// Int. J. Multiphase Flow 11 (1985) 387).
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -308,13 +309,12 @@ TEST(ResolvedSuspension, CrossedOrNotInTheMidstOfAStep) {
 
 /// Stiffer contacts shorten the step of the particles, not that of the lattice.
 TEST(ResolvedSuspension, ParticlesTakeTheStepsTheyNeed) {
-  const auto plan = [](const char* stiffness) {
-    const Case settled =
-        std::get<Case>(read_any_case_text("fidelity = \"resolved\"\n", "stiff",
-                                          {"suspension.solid_fraction=0.2", "suspension.count=20", "run.strain=1",
-                                           std::string("contact.stiffness=") + stiffness}));
-    return make_plan(settled);
+  const auto settled = [](const char* stiffness) {
+    return std::get<Case>(read_any_case_text("fidelity = \"resolved\"\n", "stiff",
+                                             {"suspension.solid_fraction=0.2", "suspension.count=20", "run.strain=1",
+                                              std::string("contact.stiffness=") + stiffness}));
   };
+  const auto plan = [&](const char* stiffness) { return make_plan(settled(stiffness)); };
   const Plan soft = plan("1e4"), stiff = plan("1e6");
   EXPECT_EQ(stiff.time.step, soft.time.step);
   EXPECT_EQ(soft.time.substeps, 1);
@@ -322,6 +322,10 @@ TEST(ResolvedSuspension, ParticlesTakeTheStepsTheyNeed) {
   EXPECT_LE(stiff.time.substep(), stiff.bounds.chosen);
   EXPECT_GT(stiff.time.step / (stiff.time.substeps - 1), stiff.bounds.chosen) << "more than they need";
   EXPECT_THROW(plan("1e10"), InputError);
+  const Case stiffer = settled("1e7");
+  const Plan planned = make_plan(stiffer);
+  EXPECT_GT(planned.time.step, 2.5 * planned.bounds.chosen);
+  EXPECT_THAT(plan_report(stiffer, planned), testing::Not(testing::HasSubstr("times the default")));
 }
 
 }  // namespace

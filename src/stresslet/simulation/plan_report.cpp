@@ -55,25 +55,24 @@ std::string time_lines(const Case& c, const Plan& p) {
   const StepBounds& b = p.bounds;
   std::string text = "time\n";
   text += line("scheme", p.time.scheme);
-  text += line("step", fmt::format("{:.3g} / gdot", p.time.step),
-               fmt::format("{}; limit {:.3g}",
-                           p.resolved    ? "of the lattice"
-                           : c.time.step ? "as given"
-                                         : "derived",
-                           b.largest));
-  if (p.time.substeps > 1)
-    text += line("particles' step", fmt::format("{:.3g} / gdot", p.time.substep()),
-                 fmt::format("{} in a step of the lattice", p.time.substeps));
+  const double step = p.time.substep();  // of the particles
+  const std::string origin = p.resolved ? "of the lattice" : c.time.step ? "as given" : "derived";
+  const std::string limit = fmt::format("; limit {:.3g}", b.largest);
+  const bool divided = p.time.substeps > 1;
+  text += line("step", fmt::format("{:.3g} / gdot", p.time.step), origin + (divided ? "" : limit));
+  if (divided)
+    text += line("particles' step", fmt::format("{:.3g} / gdot", step),
+                 fmt::format("{} in a step of the lattice{}", p.time.substeps, limit));
   text += line("bound by", b.binding);
   if (b.contact > 0)
     text += line("half period of a contact", fmt::format("{:.3g} / gdot", b.contact),
-                 fmt::format("{:.0f} steps", b.contact / p.time.step));
+                 fmt::format("{:.0f} steps", b.contact / step));
   if (b.film > 0)
-    text += line("relaxation of a film", fmt::format("{:.3g} / gdot", b.film),
-                 fmt::format("{:.2g} steps", b.film / p.time.step));
+    text +=
+        line("relaxation of a film", fmt::format("{:.3g} / gdot", b.film), fmt::format("{:.2g} steps", b.film / step));
   if (b.relaxation > 0)
     text += line("relaxation of an overlap", fmt::format("{:.3g} / gdot", b.relaxation),
-                 fmt::format("{:.0f} steps", b.relaxation / p.time.step));
+                 fmt::format("{:.0f} steps", b.relaxation / step));
   return text;
 }
 
@@ -97,7 +96,7 @@ std::string warnings(const Case& c, const Plan& p) {
   const auto warn = [&](const std::string& message) { text += "  warning: " + message + "\n"; };
   if (c.stokes_number() > 0.3)
     warn("St > 0.3: particle inertia changes the viscosity (it no longer does below about 0.1)");
-  if (p.time.scheme == "semi-implicit" && p.time.step > 2.5 * p.bounds.chosen)
+  if (p.time.scheme == "semi-implicit" && p.time.substep() > 2.5 * p.bounds.chosen)
     warn("the step is more than 2.5 times the default: expect errors of some per cent in the stress");
   if (p.count() < 500) warn("fewer than 500 particles: expect effects of the finite box beside a larger error bar");
   if (c.run.average_from && c.run.strain - *c.run.average_from < 2)

@@ -1,7 +1,7 @@
 #pragma once
-/// The fluid of a suspension at time zero, in lattice units: the mean shear flow, and inside every sphere, where the
-/// fluid has the inertia of the sphere's volume (coupling: particles have their mass less that of the fluid inside),
-/// the motion of the sphere.
+/// The fluid of a suspension at time zero, in lattice units: the mean shear flow, and in cells whose centre lies in a
+/// sphere the motion of that sphere. The fluid has the inertia of that volume (`own_mass` of ParticleState), so that
+/// the sphere would lose its velocity in a step otherwise.
 #include <cstdint>
 #include <vector>
 

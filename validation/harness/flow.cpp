@@ -52,12 +52,9 @@ void Flow::advance_to_steady(double tolerance, int interval, int limit) {
 }
 
 std::vector<CellState> Flow::states() {
-  const auto nx = std::size_t(size()[0]), ny = std::size_t(size()[1]), nz = std::size_t(size()[2]);
-  std::vector<CellState> all(nx * ny * nz);
+  std::vector<CellState> all(cell_count(size()));
   fluid_->measure(trial_.team(), {0, 0, 0}, {size()[0] - 1, size()[1] - 1, size()[2] - 1}, {1, 1, 1},
-                  [&](const Cells& c, const CellState& s) {
-                    all[std::size_t(c[0]) + nx * (std::size_t(c[1]) + ny * std::size_t(c[2]))] = s;
-                  });
+                  [&](const Cells& c, const CellState& s) { all[cell_number(size(), c)] = s; });
   return all;
 }
 

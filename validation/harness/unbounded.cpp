@@ -98,7 +98,7 @@ std::vector<UnboundedResult> run_with(Trial& trial, const Unbounded& setup, cons
   };
 
   FluidSetup fluid = resolved_box(n, setup.scheme);
-  fluid.solid.assign(std::size_t(n[0]) * std::size_t(n[1]) * std::size_t(n[2]), 0);
+  fluid.solid.assign(cell_count(n), 0);
   std::size_t cell = 0;
   for (int z = 0; z < n[2]; ++z)
     for (int y = 0; y < n[1]; ++y)
@@ -113,9 +113,7 @@ std::vector<UnboundedResult> run_with(Trial& trial, const Unbounded& setup, cons
         {.sphere = {middle + a * s.centre, a, unit * s.velocity, (unit / a) * s.angular_velocity}, .motion = s.motion});
   ResolvedFlow flow(trial, fluid, setup.scheme, solids, label);
   flow.fill([&](const Cells& c) {
-    if (fluid
-            .solid[std::size_t(c[0]) + std::size_t(n[0]) * (std::size_t(c[1]) + std::size_t(n[1]) * std::size_t(c[2]))])
-      return CellState{};
+    if (fluid.solid[cell_number(n, c)]) return CellState{};
     const Vec3<double> place{double(c[0]), double(c[1]), double(c[2])};
     return CellState{1, field(place), strain_rate_of(field, place)};
   });

@@ -80,10 +80,10 @@ class FluidOf : public Fluid {
     prepare(team);
     const Cells& n = grid().size;
     // Summed cell by cell in order, so that neither blocks nor threads show in the bits.
-    std::vector<CellPopulationsMoments> cells(cell_count());
+    std::vector<CellPopulationsMoments> cells(cell_count(grid().size));
     for_each_cell(team, [&](const auto& block, const Cells& global, std::size_t index) {
       const auto m = moments_of(incoming(block.populations, lattice_.arrangement, index));
-      if (!is_solid(global)) cells[cell_number(global)] = {m.density_deviation, m.momentum};
+      if (!is_solid(global)) cells[cell_number(grid().size, global)] = {m.density_deviation, m.momentum};
     });
     Totals sum;
     for (std::size_t k = 0; k < cells.size(); ++k) {
@@ -101,12 +101,13 @@ class FluidOf : public Fluid {
 
   std::vector<double> populations(ThreadTeam& team) override {
     prepare(team);
-    const std::size_t cells = cell_count();
+    const std::size_t cells = cell_count(grid().size);
     std::vector<double> all(cells * Stencil::size + kept());
     for_each_cell(team, [&](const auto& block, const Cells& global, std::size_t index) {
       if (is_solid(global)) return;
       for (int i = 0; i < Stencil::size; ++i)
-        all[std::size_t(i) * cells + cell_number(global)] = block.populations.source(i, lattice_.arrangement)[index];
+        all[std::size_t(i) * cells + cell_number(grid().size, global)] =
+            block.populations.source(i, lattice_.arrangement)[index];
     });
     double* at = all.data() + cells * Stencil::size;
     for (const auto& boundary : boundaries_.others) {
@@ -117,14 +118,14 @@ class FluidOf : public Fluid {
   }
 
   void restore(ThreadTeam& team, const std::vector<double>& all, std::int64_t steps) override {
-    const std::size_t cells = cell_count();
+    const std::size_t cells = cell_count(grid().size);
     if (all.size() != cells * Stencil::size + kept())
       throw std::invalid_argument("populations of another grid, stencil or set of walls");
     lattice_.arrangement = Arrangement::arrived;
     lattice_.steps = steps;
     for_each_cell(team, [&](const auto& block, const Cells& global, std::size_t index) {
       for (int i = 0; i < Stencil::size; ++i)
-        block.populations.slot(i)[index] = T(all[std::size_t(i) * cells + cell_number(global)]);
+        block.populations.slot(i)[index] = T(all[std::size_t(i) * cells + cell_number(grid().size, global)]);
     });
     const double* at = all.data() + cells * Stencil::size;
     for (const auto& boundary : boundaries_.others) {
@@ -139,20 +140,12 @@ class FluidOf : public Fluid {
     Vec3<double> momentum{};
   };
 
-  std::size_t cell_count() const {
-    const Cells& n = grid().size;
-    return std::size_t(n[0]) * std::size_t(n[1]) * std::size_t(n[2]);
-  }
-  std::size_t cell_number(const Cells& c) const {
-    const Cells& n = grid().size;
-    return std::size_t(c[0]) + std::size_t(n[0]) * (std::size_t(c[1]) + std::size_t(n[1]) * std::size_t(c[2]));
-  }
   std::size_t kept() const {
     std::size_t sum = 0;
     for (const auto& boundary : boundaries_.others) sum += boundary->kept();
     return sum;
   }
-  bool is_solid(const Cells& c) const { return !solid_.empty() && solid_[cell_number(c)]; }
+  bool is_solid(const Cells& c) const { return !solid_.empty() && solid_[cell_number(grid().size, c)]; }
   BodyForce<double> body_force() const { return {lattice_.input.force_density, lattice_.input.rates.odd}; }
 
   void prepare(ThreadTeam& team) {

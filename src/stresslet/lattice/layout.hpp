@@ -17,6 +17,14 @@ namespace stresslet {
 /// Numbers of cells, or cell coordinates, along x, y, z.
 using Cells = std::array<int, 3>;
 
+/// Of a box of `size` cells; and the place of a cell in a list of them, x fastest.
+inline std::size_t cell_count(const Cells& size) {
+  return std::size_t(size[0]) * std::size_t(size[1]) * std::size_t(size[2]);
+}
+inline std::size_t cell_number(const Cells& size, const Cells& c) {
+  return std::size_t(c[0]) + std::size_t(size[0]) * (std::size_t(c[1]) + std::size_t(size[1]) * std::size_t(c[2]));
+}
+
 inline constexpr std::size_t row_alignment = 32;  // bytes
 
 class BlockLayout {
@@ -35,7 +43,7 @@ class BlockLayout {
   std::size_t plane() const { return plane_; }
   /// Distance between the arrays of two populations.
   std::size_t stride() const { return stride_; }
-  std::size_t cells() const { return std::size_t(size_[0]) * std::size_t(size_[1]) * std::size_t(size_[2]); }
+  std::size_t cells() const { return cell_count(size_); }
   std::size_t rows() const { return std::size_t(size_[1]) * std::size_t(size_[2]); }
 
   std::size_t index(int x, int y, int z) const {

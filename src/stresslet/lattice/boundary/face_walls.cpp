@@ -95,10 +95,7 @@ std::optional<WallMet> wall_across(const FluidSetup& setup, const Cells& crossed
 }
 
 bool is_solid(const FluidSetup& setup, const Cells& c) {
-  if (setup.solid.empty()) return false;
-  const Cells& n = setup.grid.size;
-  return setup
-      .solid[std::size_t(c[0]) + std::size_t(n[0]) * (std::size_t(c[1]) + std::size_t(n[1]) * std::size_t(c[2]))];
+  return !setup.solid.empty() && setup.solid[cell_number(setup.grid.size, c)];
 }
 
 bool meets_solid(const FluidSetup& setup, const Cells& crossed, const Cells& target) {

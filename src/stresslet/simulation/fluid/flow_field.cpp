@@ -13,7 +13,7 @@ FlowField::FlowField(const FluidSetup& setup)
       faces_(setup.faces),
       shear_velocity_(setup.shear_velocity_lu),
       solid_(setup.solid),
-      cells_(std::size_t(size_[0]) * std::size_t(size_[1]) * std::size_t(size_[2])) {}
+      cells_(cell_count(size_)) {}
 
 void FlowField::measure(Fluid& fluid, ThreadTeam& team) {
   if (closure_[1] == Closure::sheared) shear_offset_ = fluid.shear_offset();

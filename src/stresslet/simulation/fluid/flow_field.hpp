@@ -16,9 +16,7 @@ class FlowField {
   void measure(Fluid& fluid, ThreadTeam& team);
 
   const Cells& size() const { return size_; }
-  std::size_t number(const Cells& c) const {
-    return std::size_t(c[0]) + std::size_t(size_[0]) * (std::size_t(c[1]) + std::size_t(size_[1]) * std::size_t(c[2]));
-  }
+  std::size_t number(const Cells& c) const { return cell_number(size_, c); }
   bool is_solid(const Cells& c) const { return !solid_.empty() && solid_[number(c)]; }
   const CellState& operator[](const Cells& c) const { return cells_[number(c)]; }
 

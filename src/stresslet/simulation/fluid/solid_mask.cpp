@@ -38,7 +38,7 @@ class Voxeliser {
   std::size_t number(Cells c) const {
     const Cells& n = grid_.size;
     for (std::size_t a = 0; a < 3; ++a) c[a] = (c[a] % n[a] + n[a]) % n[a];
-    return std::size_t(c[0]) + std::size_t(n[0]) * (std::size_t(c[1]) + std::size_t(n[1]) * std::size_t(c[2]));
+    return cell_number(n, c);
   }
 
   const Grid& grid_;
@@ -85,8 +85,7 @@ std::vector<std::uint8_t> solid_mask(const FluidCase& settled, const Grid& grid)
   if (!settled.solid) return {};
   const SolidInput& solid = *settled.solid;
   const Cells& n = grid.size;
-  const std::size_t cells = std::size_t(n[0]) * std::size_t(n[1]) * std::size_t(n[2]);
-  std::vector<std::uint8_t> mask(cells, 0);
+  std::vector<std::uint8_t> mask(cell_count(n), 0);
   if (solid.file) mask = read_voxels(solid.file->text, n, settled.where("solid.file"));
   const Vec3<double> box = settled.box();
   Voxeliser voxeliser(grid, 1.0 / double(settled.domain.resolution), mask);

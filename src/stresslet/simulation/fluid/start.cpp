@@ -67,8 +67,7 @@ void fill_from_file(Fluid& fluid, const FluidCase& c, const FluidPlan& plan, Thr
            fmt::format("the domain has {} x {} x {}", n[0], n[1], n[2]),
            "give fields of the same grid, all of its cells");
   fluid.initialise(team, [&](const Cells& cell) {
-    const std::size_t k =
-        std::size_t(cell[0]) + std::size_t(n[0]) * (std::size_t(cell[1]) + std::size_t(n[1]) * std::size_t(cell[2]));
+    const std::size_t k = cell_number(n, cell);
     InitialFlow flow{{velocity[3 * k], velocity[3 * k + 1], velocity[3 * k + 2]}, pressure[k], {}};
     flow.velocity += c.initial.velocity;
     return lattice_state(flow, plan.units);

@@ -1,9 +1,10 @@
 #include "stresslet/simulation/resolved/resolved_flow.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "stresslet/lattice/boundary/walls.hpp"
-#include "stresslet/simulation/resolved/initial_flow.hpp"
+#include "stresslet/simulation/resolved/starting_flow.hpp"
 
 namespace stresslet {
 
@@ -42,8 +43,8 @@ void ResolvedFlow::fill(ThreadTeam& team, const ParticleState& state, const Box&
   for (std::size_t i = 0; i < spheres.size(); ++i)
     spheres[i] = {centre_lu(state, i), state.radius[i] / setup_.cell, step_ / setup_.cell * state.velocity(i),
                   step_ * state.angular_velocity(i)};
-  const double offset = setup_.box == BoxKind::lees_edwards ? box.offset / setup_.cell : 0;
-  fluid_->initialise(team, InitialFlow(fluid_setup(setup_).grid, {setup_.velocity_difference_lu(), offset}, spheres));
+  fluid_->initialise(team, StartingFlow(fluid_setup(setup_).grid, box.offset / setup_.cell,
+                                        setup_.velocity_difference_lu(), std::move(spheres)));
 }
 
 Vec3<double> ResolvedFlow::centre_lu(const ParticleState& state, std::size_t i) const {

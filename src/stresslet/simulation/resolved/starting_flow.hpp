@@ -10,26 +10,19 @@
 
 namespace stresslet {
 
-/// Between the faces across y of a sheared domain, or zero.
-struct MeanShear {
-  double velocity_difference = 0;
-  double offset = 0;  ///< of the image above
-};
-
-class InitialFlow {
+class StartingFlow {
  public:
-  InitialFlow(const Grid& grid, const MeanShear& shear, const std::vector<ResolvedSphere>& spheres);
+  /// `velocity_difference` between the faces across y; the image above a sheared face is displaced by `shear_offset`.
+  StartingFlow(const Grid& grid, double shear_offset, double velocity_difference, std::vector<ResolvedSphere> spheres);
 
   CellState operator()(const Cells& cell) const;
 
  private:
-  std::size_t number(const Cells& c) const {
-    return std::size_t(c[0]) + std::size_t(size_[0]) * (std::size_t(c[1]) + std::size_t(size_[1]) * std::size_t(c[2]));
-  }
+  void mark_cells_of(std::size_t image);
 
   Cells size_;
   double gradient_;
-  const std::vector<ResolvedSphere>& spheres_;
+  std::vector<ResolvedSphere> spheres_;
   std::vector<SphereImage> images_;
   std::vector<std::int32_t> image_of_;  ///< [cell]: the one that its centre lies in, or -1
 };
